@@ -1,0 +1,15 @@
+# mayfly_room(NAME SOURCES ... USES rooms-and-libraries ...): one library a folder, called mayfly_NAME.
+# Includes are written from the top of the tree ("core/hal.hpp"), so that a reader sees which room a name lives in.
+function(mayfly_room NAME)
+  cmake_parse_arguments(ARG "" "" "SOURCES;USES;PRIVATE_USES" ${ARGN})
+  if(ARG_SOURCES)
+    add_library(mayfly_${NAME} STATIC ${ARG_SOURCES})
+    set(visibility PUBLIC)
+    target_link_libraries(mayfly_${NAME} PRIVATE ${ARG_PRIVATE_USES})
+  else()
+    add_library(mayfly_${NAME} INTERFACE)
+    set(visibility INTERFACE)
+  endif()
+  target_include_directories(mayfly_${NAME} ${visibility} ${CMAKE_SOURCE_DIR})
+  target_link_libraries(mayfly_${NAME} ${visibility} ${ARG_USES})
+endfunction()
