@@ -8,49 +8,22 @@
 #include <glm/vec3.hpp>
 #include <optional>
 #include <string>
-#include <variant>
 #include <vector>
 
 #include "core/grid.hpp"
 #include "core/result.hpp"
+#include "fields/shape.hpp"
 
 namespace mayfly {
 
-struct MeshShape {
-  std::filesystem::path file;   // absolute, checked to be inside the project or the scenario's tree
-  glm::vec3 position{0.0F};     // m
-  glm::vec3 rotation{0.0F};     // degrees about x, y, z, applied in that order (extrinsic)
-  float scale = 1.0F;           // mesh units → m
-  std::optional<float> fit;     // m: centre the mesh's bounding box on `position` and make its longest side this long
-  bool thin = false;            // an open surface: unsigned distance, a shell of `thickness`
-  std::optional<float> thickness;  // m, of a thin shell; default one cell
-};
-struct BoxShape {
-  Box box;
-};
-struct SphereShape {
-  glm::vec3 center{0.0F};
-  float radius = 1.0F;
-};
-struct CylinderShape {  // capped
-  glm::vec3 from{0.0F};
-  glm::vec3 to{0.0F, 0.0F, 1.0F};
-  float radius = 1.0F;
-};
-struct HalfSpaceShape {  // solid where normal·x < offset
-  glm::vec3 normal{0.0F, 0.0F, 1.0F};
-  float offset = 0.0F;
-};
-using Shape = std::variant<MeshShape, BoxShape, SphereShape, CylinderShape, HalfSpaceShape>;
-
 struct ObstacleSpec {
-  Shape shape;
+  fields::Shape shape;
   Place place;  // where it stands in the file, for errors that only show when the fields are built
 };
 
 struct GoalSpec {
   std::string name;
-  Shape shape;  // MeshShape, BoxShape or SphereShape
+  fields::Shape shape;  // MeshShape, BoxShape or SphereShape
   Place place;
 };
 
@@ -91,7 +64,7 @@ struct LimitsSpec {
 struct SwarmSpec {
   std::string name;
   int count = 0;
-  Shape start;  // BoxShape or SphereShape
+  fields::Shape start;  // BoxShape or SphereShape
   std::string goal;
   Model model = Model::kField;
   NoiseSpec noise;
