@@ -21,6 +21,8 @@ if(MAYFLY_CCACHE)
 endif()
 
 add_compile_options(-Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror)
+# As in gcc, where -Wconversion leaves signedness to the reader.
+add_compile_options($<$<CXX_COMPILER_ID:Clang>:-Wno-sign-conversion>)
 # GCC's vector types change the calling convention with -march; nothing passes them across our binary's border.
 add_compile_options($<$<CXX_COMPILER_ID:GNU>:-Wno-psabi>)
 # The same expression must give the same bits in every engine, compiler and thread count (docs/decisions).

@@ -1,0 +1,167 @@
+// Sampling of fields that are tabulated at the centres of a regular grid's cells. Outside the grid the border value goes on.
+#ifndef MAYFLY_KERNELS_GRID_H
+#define MAYFLY_KERNELS_GRID_H
+
+#include "kernels/lane.h"
+
+MF_BEGIN
+
+typedef struct {
+  float origin_x, origin_y, origin_z;  // m, corner of cell (0,0,0)
+  float cell, inverse_cell;            // m, 1/m
+  int nx, ny, nz;
+} MfGrid;
+
+// A scalar at a point with its first and second derivatives (per metre).
+typedef struct {
+  F value;
+  F3 gradient;
+  F xx, yy, zz, xy, xz, yz;
+} MfSurface;
+
+// Cell coordinates: whole numbers at cell centres.
+MF_FN F3 mf_cell_coordinates(F3 r, const MfGrid* g) {
+  const F3 from_origin = mf3_sub(r, mf3_splat(g->origin_x, g->origin_y, g->origin_z));
+  const F3 u = mf3_scale(from_origin, mf_splat(g->inverse_cell));
+  // Clamping also turns a NaN into a border cell: a bad position must not read outside the table.
+  return mf3(mf_clamp(u.x - 0.5f, 0.0f, (float)(g->nx - 1)), mf_clamp(u.y - 0.5f, 0.0f, (float)(g->ny - 1)),
+             mf_clamp(u.z - 0.5f, 0.0f, (float)(g->nz - 1)));
+}
+
+MF_FN I mf_clamp_index(I i, int count) { return mf_imin(mf_imax(i, mf_isplat(0)), mf_isplat(count - 1)); }
+
+typedef struct {
+  I corner[8];  // indices of the eight cells around, x fastest
+  F weight[8];
+} MfCube;
+
+MF_FN MfCube mf_cube(F3 r, const MfGrid* g) {
+  const F3 u = mf_cell_coordinates(r, g);
+  const I ix = mf_floor(u.x);
+  const I iy = mf_floor(u.y);
+  const I iz = mf_floor(u.z);
+  const F tx = u.x - mf_to_float(ix);
+  const F ty = u.y - mf_to_float(iy);
+  const F tz = u.z - mf_to_float(iz);
+  const I x1 = mf_clamp_index(ix + 1, g->nx);
+  const I row00 = (iz * g->ny + iy) * g->nx;
+  const I y1 = mf_clamp_index(iy + 1, g->ny);
+  const I z1 = mf_clamp_index(iz + 1, g->nz);
+  const I row10 = (iz * g->ny + y1) * g->nx;
+  const I row01 = (z1 * g->ny + iy) * g->nx;
+  const I row11 = (z1 * g->ny + y1) * g->nx;
+  const F w00 = (1.0f - ty) * (1.0f - tz);
+  const F w10 = ty * (1.0f - tz);
+  const F w01 = (1.0f - ty) * tz;
+  const F w11 = ty * tz;
+  MfCube c;
+  c.corner[0] = row00 + ix;
+  c.corner[1] = row00 + x1;
+  c.corner[2] = row10 + ix;
+  c.corner[3] = row10 + x1;
+  c.corner[4] = row01 + ix;
+  c.corner[5] = row01 + x1;
+  c.corner[6] = row11 + ix;
+  c.corner[7] = row11 + x1;
+  c.weight[0] = (1.0f - tx) * w00;
+  c.weight[1] = tx * w00;
+  c.weight[2] = (1.0f - tx) * w10;
+  c.weight[3] = tx * w10;
+  c.weight[4] = (1.0f - tx) * w01;
+  c.weight[5] = tx * w01;
+  c.weight[6] = (1.0f - tx) * w11;
+  c.weight[7] = tx * w11;
+  return c;
+}
+
+// Trilinear interpolation of column `channel` of a table with `channels` floats a cell.
+MF_FN F mf_sample(const MF_GLOBAL float* table, const MfCube* c, int channels, int channel) {
+  F sum = mf_splat(0.0f);
+  for (int k = 0; k < 8; ++k) {
+    sum += c->weight[k] * mf_gather(table, c->corner[k] * channels + channel);
+  }
+  return sum;
+}
+
+// Weights of the quadratic B-spline on three cells around t in [-½, ½], with derivatives by the cell coordinate.
+typedef struct {
+  F w[3], d[3];
+} MfSpline;
+
+MF_FN MfSpline mf_spline(F t) {
+  MfSpline s;
+  const F low = 0.5f - t;
+  const F high = 0.5f + t;
+  s.w[0] = 0.5f * low * low;
+  s.w[1] = 0.75f - t * t;
+  s.w[2] = 0.5f * high * high;
+  s.d[0] = -low;
+  s.d[1] = -2.0f * t;
+  s.d[2] = high;
+  return s;
+}
+
+// The quadratic B-spline through a scalar table: C¹, so that a potential made of it has a curl without divergence.
+MF_FN MfSurface mf_surface(F3 r, const MF_GLOBAL float* table, const MfGrid* g) {
+  const float second[3] = {1.0f, -2.0f, 1.0f};
+  const F3 u = mf_cell_coordinates(r, g);
+  const I ix = mf_floor(u.x + 0.5f);
+  const I iy = mf_floor(u.y + 0.5f);
+  const I iz = mf_floor(u.z + 0.5f);
+  const MfSpline sx = mf_spline(u.x - mf_to_float(ix));
+  const MfSpline sy = mf_spline(u.y - mf_to_float(iy));
+  const MfSpline sz = mf_spline(u.z - mf_to_float(iz));
+  const I x[3] = {mf_clamp_index(ix - 1, g->nx), mf_clamp_index(ix, g->nx), mf_clamp_index(ix + 1, g->nx)};
+  const F zero = mf_splat(0.0f);
+  MfSurface s;
+  s.value = zero;
+  s.gradient = mf3(zero, zero, zero);
+  s.xx = zero;
+  s.yy = zero;
+  s.zz = zero;
+  s.xy = zero;
+  s.xz = zero;
+  s.yz = zero;
+  for (int k = 0; k < 3; ++k) {
+    const I plane = mf_clamp_index(iz + (k - 1), g->nz) * g->ny;
+    for (int j = 0; j < 3; ++j) {
+      const I row = (plane + mf_clamp_index(iy + (j - 1), g->ny)) * g->nx;
+      F v = zero;
+      F vx = zero;
+      F vxx = zero;
+      for (int i = 0; i < 3; ++i) {
+        const F a = mf_gather(table, row + x[i]);
+        v += sx.w[i] * a;
+        vx += sx.d[i] * a;
+        vxx += second[i] * a;
+      }
+      const F ww = sy.w[j] * sz.w[k];
+      const F dw = sy.d[j] * sz.w[k];
+      const F wd = sy.w[j] * sz.d[k];
+      s.value += ww * v;
+      s.gradient.x += ww * vx;
+      s.gradient.y += dw * v;
+      s.gradient.z += wd * v;
+      s.xx += ww * vxx;
+      s.yy += second[j] * sz.w[k] * v;
+      s.zz += sy.w[j] * second[k] * v;
+      s.xy += dw * vx;
+      s.xz += wd * vx;
+      s.yz += sy.d[j] * sz.d[k] * v;
+    }
+  }
+  const F per_cell = mf_splat(g->inverse_cell);
+  const F per_cell2 = per_cell * per_cell;
+  s.gradient = mf3_scale(s.gradient, per_cell);
+  s.xx *= per_cell2;
+  s.yy *= per_cell2;
+  s.zz *= per_cell2;
+  s.xy *= per_cell2;
+  s.xz *= per_cell2;
+  s.yz *= per_cell2;
+  return s;
+}
+
+MF_END
+
+#endif
