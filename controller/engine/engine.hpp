@@ -1,0 +1,50 @@
+// What turns positions into preferred velocities. Two engines run the same kernels: native C++ on threads, and OpenCL.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "core/result.hpp"
+#include "kernels/field.h"
+
+namespace mayfly {
+
+// One swarm as an engine sees it: a range of agents and what they fly by.
+struct SwarmModel {
+  std::size_t first = 0;
+  std::size_t count = 0;
+  kernels::MfField field{};
+  std::span<const float> distance;  // φ on field.grid, m
+  std::span<const float> guide;     // 4 floats a cell
+  std::span<const float> settle;    // m, one an agent of this swarm: how deep in the goal it comes to rest
+  float separation = 0.0F;          // m; two agents keep half the sum of theirs
+  int mde_sweeps = 0;               // at most; 0 for none
+};
+
+struct VelocityColumns {
+  std::span<float> x, y, z;  // m/s
+};
+struct PositionColumns {
+  std::span<const float> x, y, z;  // m
+};
+
+class Engine {
+ public:
+  virtual ~Engine() = default;
+  virtual std::string_view name() const noexcept = 0;
+  // Takes in the swarms and allocates; `agents` in all. The spans must outlive the engine.
+  virtual Result<void> prepare(std::span<const SwarmModel> swarms, std::size_t agents) = 0;
+  // Preferred velocity of every agent, minimum distance enforced on where they will be after `period_s`.
+  // Returns how many agents MDE moved.
+  virtual std::size_t compute(const PositionColumns& at, float period_s, const VelocityColumns& out) noexcept = 0;
+};
+
+std::unique_ptr<Engine> make_native_engine(int threads);
+// Fails where there is no OpenCL device or the kernels do not build.
+Result<std::unique_ptr<Engine>> make_opencl_engine();
+
+}  // namespace mayfly

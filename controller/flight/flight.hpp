@@ -1,0 +1,44 @@
+// One flight from arming to standstill: read → estimate → engine → governor → write, at a fixed rate.
+#pragma once
+
+#include <atomic>
+#include <memory>
+#include <span>
+#include <string>
+
+#include "controller/engine/engine.hpp"
+#include "controller/flight/observer.hpp"
+#include "controller/flight/summary.hpp"
+#include "controller/flight/world.hpp"
+#include "controller/scenario/scenario.hpp"
+#include "core/clock.hpp"
+#include "core/hal.hpp"
+
+namespace mayfly {
+
+// Set from a signal handler: 1 asks the swarm to hold and then the flight to end, 2 or more is the emergency stop.
+using StopRequest = std::atomic<int>;
+
+// True state for metrics and observers, where the HAL knows it (simulation). Columns as in StateColumns; may be empty.
+class GroundTruth {
+ public:
+  virtual ~GroundTruth() = default;
+  virtual void truth(const StateColumns& columns) const noexcept = 0;
+};
+
+struct FlightParts {
+  const Scenario& scenario;
+  const World& world;
+  Engine& engine;               // prepared for this scenario's swarms
+  Hal& hal;                     // one robot an agent, in the scenario's order; not yet configured
+  const GroundTruth* truth = nullptr;
+  Clock& clock;
+  std::span<Observer* const> observers{};
+  const StopRequest* stop = nullptr;
+  Progress progress{};          // fraction of the duration flown
+};
+
+// Flies the scenario to its end. An error means that nothing flew (the HAL refused); faults in flight are in the summary.
+Result<Summary> fly(const FlightParts& parts);
+
+}  // namespace mayfly

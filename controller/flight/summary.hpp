@@ -1,0 +1,70 @@
+// What a flight came to, in the terms of the summary file. SI units. What was not measured is empty, never 0.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace mayfly {
+
+struct LatencySummary {  // µs
+  double p50 = 0, p99 = 0, p999 = 0, max = 0;
+};
+
+struct ControlSummary {
+  double rate_hz = 0;
+  std::uint64_t ticks = 0;
+  std::uint64_t missed = 0;             // releases that no tick served in time
+  std::uint64_t missed_by_machine = 0;  // of them, where we slept in time and the machine woke us late
+  LatencySummary jitter_us;             // wake-up minus scheduled release
+  LatencySummary run_us;                // our own work
+};
+
+struct FaultEvent {
+  double time_s = 0;
+  std::string robot;  // empty: all robots of the link
+  std::string link;
+  std::string cause;
+};
+
+struct ExpectationResult {
+  std::string name;             // "reached flies at exit"
+  std::optional<double> value;  // empty where it was not measured: then it does not pass
+  std::string wanted;           // ">= 0.99"
+  bool pass = false;
+};
+
+struct PreprocessingSummary {
+  double distance = 0, noise = 0, cost = 0;  // s
+  bool distance_cached = false, cost_cached = false;
+};
+
+struct Summary {
+  std::string scenario;
+  std::string engine;
+  std::string hal;
+  std::uint64_t seed = 0;
+  std::uint64_t agents = 0;
+  std::uint64_t ticks = 0;
+  double simulated_s = 0;
+  double wall_s = 0;
+  double realtime_factor = 0;
+  std::optional<double> ns_per_agent_tick;
+  std::optional<double> reached_fraction;
+  std::optional<double> min_separation_m;
+  std::optional<std::uint64_t> collisions;
+  std::optional<std::uint64_t> penetrations;
+  std::optional<double> mde_percent;  // share of agents that MDE moved, mean over frames, in percent
+  std::optional<std::uint64_t> infeasible_agents;
+  std::uint64_t governor_interventions = 0;  // agent-ticks
+  std::vector<FaultEvent> faults;
+  std::optional<double> max_speed_mps;
+  std::optional<double> max_acceleration_mps2;
+  ControlSummary control;
+  PreprocessingSummary preprocessing_s;
+  std::vector<ExpectationResult> expect;
+  bool stopped_by_user = false;
+};
+
+}  // namespace mayfly

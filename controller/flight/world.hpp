@@ -1,0 +1,32 @@
+// A scenario's world, built: the solid, its distance field, and the cost field of each swarm.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "controller/flight/summary.hpp"
+#include "controller/scenario/scenario.hpp"
+#include "core/progress.hpp"
+#include "fields/cost_field.hpp"
+#include "fields/distance_field.hpp"
+#include "fields/geometry.hpp"
+
+namespace mayfly {
+
+struct World {
+  Grid grid;
+  fields::Geometry solid;               // exact
+  fields::DistanceField distance;
+  std::vector<fields::Geometry> goals;  // exact, one a goal of the scenario, in its order
+  // One a swarm, in the scenario's order; swarms with the same goal and weights share one.
+  std::vector<std::shared_ptr<const fields::CostField>> costs;
+  PreprocessingSummary preprocessing;
+  std::vector<Error> warnings;          // "1 204 free cells cannot reach goal 'exit'"
+};
+
+// Builds the fields (or takes them from the cache on disk). Errors name the place in the scenario: an open mesh, a goal
+// inside an obstacle, a start region that cannot reach its goal.
+tl::expected<World, std::vector<Error>> build_world(const Scenario& scenario, int threads, const Progress& progress);
+
+}  // namespace mayfly
