@@ -1,4 +1,5 @@
-// Curl noise beside walls: the potential is bent so that its curl has no component through them (Wang14 Eq. 2).
+// Curl noise beside walls: the potential is bent so that its curl has no component through them (Wang14 Eq.
+// 2).
 #ifndef MAYFLY_KERNELS_BOUNDARY_H
 #define MAYFLY_KERNELS_BOUNDARY_H
 
@@ -29,8 +30,8 @@ MF_FN MfNormal mf_normal(const MfSurface* s) {
   return m;
 }
 
-// ∇ × N for N = αP + (1−α)(n·P)n, α = ramp(φ/d0) (Wang14 Eq. 2 with the trend of α as model.md corrects it): every
-// derivative is taken of the interpolant that is sampled, so that the curl stays free of divergence.
+// ∇ × N for N = αP + (1−α)(n·P)n, α = ramp(φ/d0) (Wang14 Eq. 2 with the trend of α as model.md corrects it):
+// every derivative is taken of the interpolant that is sampled, so that the curl stays free of divergence.
 MF_FN F3 mf_bounded_curl(const MfJet* p, const MfSurface* s, float d0) {
   const F r = s->value * (1.0f / d0);
   const F alpha = mf_ramp(r);
@@ -38,8 +39,9 @@ MF_FN F3 mf_bounded_curl(const MfJet* p, const MfSurface* s, float d0) {
   const MfNormal m = mf_normal(s);
   const F beta = 1.0f - alpha;
   const F q = mf3_dot(m.n, p->value);
-  const F3 grad_q = mf3(mf3_dot(m.dx, p->value) + mf3_dot(m.n, p->dx), mf3_dot(m.dy, p->value) + mf3_dot(m.n, p->dy),
-                        mf3_dot(m.dz, p->value) + mf3_dot(m.n, p->dz));
+  const F3 grad_q =
+      mf3(mf3_dot(m.dx, p->value) + mf3_dot(m.n, p->dx), mf3_dot(m.dy, p->value) + mf3_dot(m.n, p->dy),
+          mf3_dot(m.dz, p->value) + mf3_dot(m.n, p->dz));
   const F3 grad_bq = mf3_sub(mf3_scale(grad_q, beta), mf3_scale(grad_alpha, q));
   const F3 curl_n = mf3(m.dy.z - m.dz.y, m.dz.x - m.dx.z, m.dx.y - m.dy.x);
   const F3 free_part = mf3_add(mf3_scale(mf_curl(*p), alpha), mf3_cross(grad_alpha, p->value));

@@ -1,4 +1,5 @@
-// The field model: V(x) = curl noise + global velocity down the cost field, kept off walls (Wang14 §6, model.md §4).
+// The field model: V(x) = curl noise + global velocity down the cost field, kept off walls (Wang14 §6,
+// model.md §4).
 #ifndef MAYFLY_KERNELS_FIELD_H
 #define MAYFLY_KERNELS_FIELD_H
 
@@ -12,24 +13,28 @@ typedef struct {
   MfNoise noise;
   int has_noise;
   int has_walls;
-  float boundary;        // m, d0
-  float wall_reach;      // m: further out than this nothing of a wall is felt
-  float cruise_speed;    // m/s, s0
-  float slow_down;       // m over which the speed falls to 0 at an agent's place in its goal
-  float radius;          // m, of the body
-  float approach_rate;   // 1/s: an agent nears a wall no faster than this times its clearance
+  float boundary;       // m, d0
+  float wall_reach;     // m: further out than this nothing of a wall is felt
+  float cruise_speed;   // m/s, s0
+  float slow_down;      // m over which the speed falls to 0 at an agent's place in its goal
+  float radius;         // m, of the body
+  float approach_rate;  // 1/s: an agent nears a wall no faster than this times its clearance
 } MfField;
 
-// V_g = −∇C/|∇C| · s0 (Wang14 Eq. 8). The guide holds a unit direction and C/A (m; inside the goal minus the depth) in
-// each cell. An agent settles `settle` metres deep in its goal: a swarm fills its goal instead of piling up on its face.
-MF_FN F3 mf_global_velocity(const MfCube* cube, F settle, const MF_GLOBAL float* guide, const MfField* field) {
-  const F3 direction = mf3_unit(mf3(mf_sample(guide, cube, 4, 0), mf_sample(guide, cube, 4, 1), mf_sample(guide, cube, 4, 2)));
+// V_g = −∇C/|∇C| · s0 (Wang14 Eq. 8). The guide holds a unit direction and C/A (m; inside the goal minus the
+// depth) in each cell. An agent settles `settle` metres deep in its goal: a swarm fills its goal instead of
+// piling up on its face.
+MF_FN F3 mf_global_velocity(const MfCube* cube, F settle, const MF_GLOBAL float* guide,
+                            const MfField* field) {
+  const F3 direction =
+      mf3_unit(mf3(mf_sample(guide, cube, 4, 0), mf_sample(guide, cube, 4, 1), mf_sample(guide, cube, 4, 2)));
   const F to_go = mf_sample(guide, cube, 4, 3) + settle;
   return mf3_scale(direction, field->cruise_speed * mf_ramp(to_go * (1.0f / field->slow_down)));
 }
 
-// Limits the speed at which v approaches a wall to approach_rate × clearance, and leads out of the body's own radius: with
-// it, a plant that lags by less than a quarter of 1/approach_rate comes to a wall without passing it.
+// Limits the speed at which v approaches a wall to approach_rate × clearance, and leads out of the body's own
+// radius: with it, a plant that lags by less than a quarter of 1/approach_rate comes to a wall without
+// passing it.
 MF_FN F3 mf_guard_wall(F3 v, const MfSurface* s, const MfField* field) {
   const F3 n = mf3_unit(s->gradient);
   const F slowest = -(s->value - field->radius) * field->approach_rate;
@@ -37,8 +42,17 @@ MF_FN F3 mf_guard_wall(F3 v, const MfSurface* s, const MfField* field) {
   return mf3_add(v, mf3_scale(n, lack));
 }
 
-// The preferred velocity of eight agents at r (m). distance: signed distance φ (m), guide: 4 floats a cell, both on
-// field->grid; table: Perlin's permutation.
+// The guard alone, for velocities that were changed after the model gave them.
+MF_FN F3 mf_field_guard(F3 r, F3 v, const MfField* field, const MF_GLOBAL float* distance) {
+  const MfCube cube = mf_cube(r, &field->grid);
+  const I near_wall = mf_sample(distance, &cube, 1, 0) < mf_splat(field->wall_reach);
+  if (!mf_any(near_wall)) return v;
+  const MfSurface surface = mf_surface(r, distance, &field->grid);
+  return mf3_select(near_wall, mf_guard_wall(v, &surface, field), v);
+}
+
+// The preferred velocity of eight agents at r (m). distance: signed distance φ (m), guide: 4 floats a cell,
+// both on field->grid; table: Perlin's permutation.
 MF_FN F3 mf_field_velocity(F3 r, F settle, const MfField* field, const MF_GLOBAL float* distance,
                            const MF_GLOBAL float* guide, const MF_GLOBAL int* table) {
   const MfCube cube = mf_cube(r, &field->grid);

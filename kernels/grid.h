@@ -1,4 +1,5 @@
-// Sampling of fields that are tabulated at the centres of a regular grid's cells. Outside the grid the border value goes on.
+// Sampling of fields that are tabulated at the centres of a regular grid's cells. Outside the grid the border
+// value goes on.
 #ifndef MAYFLY_KERNELS_GRID_H
 #define MAYFLY_KERNELS_GRID_H
 
@@ -28,7 +29,9 @@ MF_FN F3 mf_cell_coordinates(F3 r, const MfGrid* g) {
              mf_clamp(u.z - 0.5f, 0.0f, (float)(g->nz - 1)));
 }
 
-MF_FN I mf_clamp_index(I i, int count) { return mf_imin(mf_imax(i, mf_isplat(0)), mf_isplat(count - 1)); }
+MF_FN I mf_clamp_index(I i, int count) {
+  return mf_imin(mf_imax(i, mf_isplat(0)), mf_isplat(count - 1));
+}
 
 typedef struct {
   I corner[8];  // indices of the eight cells around, x fastest
@@ -83,7 +86,8 @@ MF_FN F mf_sample(const MF_GLOBAL float* table, const MfCube* c, int channels, i
   return sum;
 }
 
-// Weights of the quadratic B-spline on three cells around t in [-½, ½], with derivatives by the cell coordinate.
+// Weights of the quadratic B-spline on three cells around t in [-½, ½], with derivatives by the cell
+// coordinate.
 typedef struct {
   F w[3], d[3];
 } MfSpline;
@@ -101,7 +105,8 @@ MF_FN MfSpline mf_spline(F t) {
   return s;
 }
 
-// The quadratic B-spline through a scalar table: C¹, so that a potential made of it has a curl without divergence.
+// The quadratic B-spline through a scalar table: C¹, so that a potential made of it has a curl without
+// divergence.
 MF_FN MfSurface mf_surface(F3 r, const MF_GLOBAL float* table, const MfGrid* g) {
   const float second[3] = {1.0f, -2.0f, 1.0f};
   const F3 u = mf_cell_coordinates(r, g);

@@ -1,6 +1,7 @@
-// Lane types: one number for each of eight agents, in the subset that OpenCL C 1.2 and C++20 share. Every equation of the
-// model is written once on them (see docs/decisions/0001-two-engines-one-source.md). Here stands all that the two languages
-// spell differently; a kernel header uses only these names, arithmetic operators and comparisons.
+// Lane types: one number for each of eight agents, in the subset that OpenCL C 1.2 and C++20 share. Every
+// equation of the model is written once on them (see docs/decisions/0001-two-engines-one-source.md). Here
+// stands all that the two languages spell differently; a kernel header uses only these names, arithmetic
+// operators and comparisons.
 //
 //   F, I, U     eight floats, ints, unsigned ints         a < b   a mask: I with -1 (true) or 0 in each lane
 //   F3          three F: a vector for each of eight agents
@@ -21,29 +22,70 @@ typedef float8 F;
 typedef int8 I;
 typedef uint8 U;
 
-MF_FN F mf_splat(float a) { return (F)(a); }
-MF_FN I mf_isplat(int a) { return (I)(a); }
-MF_FN U mf_usplat(uint a) { return (U)(a); }
-MF_FN F mf_select(I mask, F a, F b) { return select(b, a, mask); }
-MF_FN I mf_iselect(I mask, I a, I b) { return select(b, a, mask); }
-MF_FN F mf_to_float(I a) { return convert_float8(a); }
-MF_FN I mf_truncate(F a) { return convert_int8(a); }
-MF_FN U mf_as_bits(F a) { return as_uint8(a); }
-MF_FN F mf_from_bits(U a) { return as_float8(a); }
-MF_FN U mf_to_unsigned(I a) { return as_uint8(a); }
-MF_FN I mf_to_signed(U a) { return as_int8(a); }
-MF_FN F mf_sqrt(F a) { return sqrt(a); }
-MF_FN int mf_any(I mask) { return any(mask); }
-MF_FN int mf_all(I mask) { return all(mask); }
-MF_FN F mf_load(const MF_GLOBAL float* p) { return vload8(0, p); }
-MF_FN void mf_store(MF_GLOBAL float* p, F a) { vstore8(a, 0, p); }
+MF_FN F mf_splat(float a) {
+  return (F)(a);
+}
+MF_FN I mf_isplat(int a) {
+  return (I)(a);
+}
+MF_FN U mf_usplat(uint a) {
+  return (U)(a);
+}
+MF_FN F mf_select(I mask, F a, F b) {
+  return select(b, a, mask);
+}
+MF_FN I mf_iselect(I mask, I a, I b) {
+  return select(b, a, mask);
+}
+MF_FN F mf_to_float(I a) {
+  return convert_float8(a);
+}
+MF_FN I mf_truncate(F a) {
+  return convert_int8(a);
+}
+MF_FN U mf_as_bits(F a) {
+  return as_uint8(a);
+}
+MF_FN F mf_from_bits(U a) {
+  return as_float8(a);
+}
+MF_FN U mf_to_unsigned(I a) {
+  return as_uint8(a);
+}
+MF_FN I mf_to_signed(U a) {
+  return as_int8(a);
+}
+MF_FN F mf_sqrt(F a) {
+  return sqrt(a);
+}
+MF_FN int mf_any(I mask) {
+  return any(mask);
+}
+MF_FN int mf_all(I mask) {
+  return all(mask);
+}
+MF_FN F mf_load(const MF_GLOBAL float* p) {
+  return vload8(0, p);
+}
+MF_FN I mf_iload(const MF_GLOBAL int* p) {
+  return vload8(0, p);
+}
+MF_FN void mf_store(MF_GLOBAL float* p, F a) {
+  vstore8(a, 0, p);
+}
+// Sum of the lanes, always in this order.
+MF_FN float mf_sum(F a) {
+  return ((a.s0 + a.s1) + (a.s2 + a.s3)) + ((a.s4 + a.s5) + (a.s6 + a.s7));
+}
 MF_FN F mf_gather(const MF_GLOBAL float* p, I i) {
   return (F)(p[i.s0], p[i.s1], p[i.s2], p[i.s3], p[i.s4], p[i.s5], p[i.s6], p[i.s7]);
 }
 MF_FN I mf_igather(const MF_GLOBAL int* p, I i) {
   return (I)(p[i.s0], p[i.s1], p[i.s2], p[i.s3], p[i.s4], p[i.s5], p[i.s6], p[i.s7]);
 }
-MF_FN I mf_lane_index(void) { return (I)(0, 1, 2, 3, 4, 5, 6, 7); }
+MF_FN I mf_lane_index(void) {
+  return (I)(0, 1, 2, 3, 4, 5, 6, 7);
+}
 // The first n lanes only.
 MF_FN void mf_store_first(MF_GLOBAL float* p, F a, int n) {
   const float v[MF_LANES] = {a.s0, a.s1, a.s2, a.s3, a.s4, a.s5, a.s6, a.s7};
@@ -70,17 +112,39 @@ typedef float F __attribute__((vector_size(4 * MF_LANES)));
 typedef int I __attribute__((vector_size(4 * MF_LANES)));
 typedef uint U __attribute__((vector_size(4 * MF_LANES)));
 
-MF_FN F mf_splat(float a) { return F{a, a, a, a, a, a, a, a}; }
-MF_FN I mf_isplat(int a) { return I{a, a, a, a, a, a, a, a}; }
-MF_FN U mf_usplat(uint a) { return U{a, a, a, a, a, a, a, a}; }
-MF_FN F mf_select(I mask, F a, F b) { return mask ? a : b; }
-MF_FN I mf_iselect(I mask, I a, I b) { return mask ? a : b; }
-MF_FN F mf_to_float(I a) { return __builtin_convertvector(a, F); }
-MF_FN I mf_truncate(F a) { return __builtin_convertvector(a, I); }
-MF_FN U mf_as_bits(F a) { return reinterpret_cast<U>(a); }
-MF_FN F mf_from_bits(U a) { return reinterpret_cast<F>(a); }
-MF_FN U mf_to_unsigned(I a) { return reinterpret_cast<U>(a); }
-MF_FN I mf_to_signed(U a) { return reinterpret_cast<I>(a); }
+MF_FN F mf_splat(float a) {
+  return F{a, a, a, a, a, a, a, a};
+}
+MF_FN I mf_isplat(int a) {
+  return I{a, a, a, a, a, a, a, a};
+}
+MF_FN U mf_usplat(uint a) {
+  return U{a, a, a, a, a, a, a, a};
+}
+MF_FN F mf_select(I mask, F a, F b) {
+  return mask ? a : b;
+}
+MF_FN I mf_iselect(I mask, I a, I b) {
+  return mask ? a : b;
+}
+MF_FN F mf_to_float(I a) {
+  return __builtin_convertvector(a, F);
+}
+MF_FN I mf_truncate(F a) {
+  return __builtin_convertvector(a, I);
+}
+MF_FN U mf_as_bits(F a) {
+  return reinterpret_cast<U>(a);
+}
+MF_FN F mf_from_bits(U a) {
+  return reinterpret_cast<F>(a);
+}
+MF_FN U mf_to_unsigned(I a) {
+  return reinterpret_cast<U>(a);
+}
+MF_FN I mf_to_signed(U a) {
+  return reinterpret_cast<I>(a);
+}
 MF_FN F mf_sqrt(F a) {
   F root;
   for (int k = 0; k < MF_LANES; ++k) root[k] = __builtin_sqrtf(a[k]);
@@ -91,20 +155,35 @@ MF_FN int mf_any(I mask) {
   std::memcpy(part, &mask, sizeof part);
   return (part[0] | part[1] | part[2] | part[3]) != 0;
 }
-MF_FN int mf_all(I mask) { return !mf_any(~mask); }
+MF_FN int mf_all(I mask) {
+  return !mf_any(~mask);
+}
 MF_FN F mf_load(const float* p) {
   F a;
   std::memcpy(&a, p, sizeof a);
   return a;
 }
-MF_FN void mf_store(float* p, F a) { std::memcpy(p, &a, sizeof a); }
+MF_FN I mf_iload(const int* p) {
+  I a;
+  std::memcpy(&a, p, sizeof a);
+  return a;
+}
+MF_FN void mf_store(float* p, F a) {
+  std::memcpy(p, &a, sizeof a);
+}
+// Sum of the lanes, always in this order.
+MF_FN float mf_sum(F a) {
+  return ((a[0] + a[1]) + (a[2] + a[3])) + ((a[4] + a[5]) + (a[6] + a[7]));
+}
 MF_FN F mf_gather(const float* p, I i) {
   return F{p[i[0]], p[i[1]], p[i[2]], p[i[3]], p[i[4]], p[i[5]], p[i[6]], p[i[7]]};
 }
 MF_FN I mf_igather(const int* p, I i) {
   return I{p[i[0]], p[i[1]], p[i[2]], p[i[3]], p[i[4]], p[i[5]], p[i[6]], p[i[7]]};
 }
-MF_FN I mf_lane_index() { return I{0, 1, 2, 3, 4, 5, 6, 7}; }
+MF_FN I mf_lane_index() {
+  return I{0, 1, 2, 3, 4, 5, 6, 7};
+}
 MF_FN void mf_store_first(float* p, F a, int n) {
   std::memcpy(p, &a, sizeof(float) * static_cast<std::size_t>(n));
 }
@@ -121,11 +200,21 @@ typedef struct {
 } F3;
 
 // NaN in a gives b: an unordered comparison is false.
-MF_FN F mf_min(F a, F b) { return mf_select(a < b, a, b); }
-MF_FN F mf_max(F a, F b) { return mf_select(a > b, a, b); }
-MF_FN I mf_imin(I a, I b) { return mf_iselect(a < b, a, b); }
-MF_FN I mf_imax(I a, I b) { return mf_iselect(a > b, a, b); }
-MF_FN F mf_clamp(F a, float low, float high) { return mf_min(mf_max(a, mf_splat(low)), mf_splat(high)); }
+MF_FN F mf_min(F a, F b) {
+  return mf_select(a < b, a, b);
+}
+MF_FN F mf_max(F a, F b) {
+  return mf_select(a > b, a, b);
+}
+MF_FN I mf_imin(I a, I b) {
+  return mf_iselect(a < b, a, b);
+}
+MF_FN I mf_imax(I a, I b) {
+  return mf_iselect(a > b, a, b);
+}
+MF_FN F mf_clamp(F a, float low, float high) {
+  return mf_min(mf_max(a, mf_splat(low)), mf_splat(high));
+}
 
 // The greatest whole number not above a, for |a| < 2^31.
 MF_FN I mf_floor(F a) {
@@ -140,18 +229,30 @@ MF_FN F3 mf3(F x, F y, F z) {
   v.z = z;
   return v;
 }
-MF_FN F3 mf3_splat(float x, float y, float z) { return mf3(mf_splat(x), mf_splat(y), mf_splat(z)); }
-MF_FN F3 mf3_add(F3 a, F3 b) { return mf3(a.x + b.x, a.y + b.y, a.z + b.z); }
-MF_FN F3 mf3_sub(F3 a, F3 b) { return mf3(a.x - b.x, a.y - b.y, a.z - b.z); }
-MF_FN F3 mf3_scale(F3 a, F s) { return mf3(a.x * s, a.y * s, a.z * s); }
-MF_FN F mf3_dot(F3 a, F3 b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+MF_FN F3 mf3_splat(float x, float y, float z) {
+  return mf3(mf_splat(x), mf_splat(y), mf_splat(z));
+}
+MF_FN F3 mf3_add(F3 a, F3 b) {
+  return mf3(a.x + b.x, a.y + b.y, a.z + b.z);
+}
+MF_FN F3 mf3_sub(F3 a, F3 b) {
+  return mf3(a.x - b.x, a.y - b.y, a.z - b.z);
+}
+MF_FN F3 mf3_scale(F3 a, F s) {
+  return mf3(a.x * s, a.y * s, a.z * s);
+}
+MF_FN F mf3_dot(F3 a, F3 b) {
+  return a.x * b.x + a.y * b.y + a.z * b.z;
+}
 MF_FN F3 mf3_cross(F3 a, F3 b) {
   return mf3(a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x);
 }
 MF_FN F3 mf3_select(I mask, F3 a, F3 b) {
   return mf3(mf_select(mask, a.x, b.x), mf_select(mask, a.y, b.y), mf_select(mask, a.z, b.z));
 }
-MF_FN F mf3_length(F3 a) { return mf_sqrt(mf3_dot(a, a)); }
+MF_FN F mf3_length(F3 a) {
+  return mf_sqrt(mf3_dot(a, a));
+}
 // u/|u|, and 0 where |u| < 1e-9: a zero-length vector never makes a NaN (model.md, conventions).
 MF_FN F3 mf3_unit(F3 a) {
   const F length = mf3_length(a);

@@ -11,7 +11,7 @@ MF_BEGIN
 // The vector potential P(x) = Σ gain · (p1, p2, p3)(x/scale).
 typedef struct {
   int octaves;
-  int permuted;                     // 1: lattice gradients by the published permutation table, 0: by an integer hash
+  int permuted;  // 1: lattice gradients by the published permutation table, 0: by an integer hash
   uint seed;
   float inverse_scale[MF_MAX_OCTAVES];  // 1/m
   float gain[MF_MAX_OCTAVES];           // m²/s, so that its curl is a velocity
@@ -23,10 +23,12 @@ typedef struct {
   F3 dx, dy, dz;  // ∂/∂x, ∂/∂y, ∂/∂z of the three components
 } MfJet;
 
-MF_FN F3 mf_curl(MfJet j) { return mf3(j.dy.z - j.dz.y, j.dz.x - j.dx.z, j.dx.y - j.dy.x); }
+MF_FN F3 mf_curl(MfJet j) {
+  return mf3(j.dy.z - j.dz.y, j.dz.x - j.dx.z, j.dx.y - j.dy.x);
+}
 
-// A well-mixed word for each lattice point; the three noises take four bits each from its top, so that one hash serves all.
-// Mixing constants: C. Wellons, "lowbias32".
+// A well-mixed word for each lattice point; the three noises take four bits each from its top, so that one
+// hash serves all. Mixing constants: C. Wellons, "lowbias32".
 MF_FN U mf_mix(U h) {
   h ^= h >> 16;
   h *= 0x7feb352du;
@@ -35,8 +37,8 @@ MF_FN U mf_mix(U h) {
   return h;
 }
 
-// Perlin's twelve edge gradients in sixteen slots. Bit s of `present` says whether slot s has this component, bit s of
-// `negative` its sign. `shift` is 31 − slot, so that the slot's bit lands on the sign bit.
+// Perlin's twelve edge gradients in sixteen slots. Bit s of `present` says whether slot s has this component,
+// bit s of `negative` its sign. `shift` is 31 − slot, so that the slot's bit lands on the sign bit.
 MF_FN F mf_gradient_component(U shift, uint present, uint negative) {
   const U is_there = mf_to_unsigned(mf_to_signed(mf_usplat(present) << shift) >> 31);
   const U sign = (mf_usplat(negative) << shift) & 0x80000000u;
@@ -60,7 +62,8 @@ MF_FN MfFade mf_fade(F t) {
   return f;
 }
 
-// Adds one corner of the lattice cell. w: the corner's weight, and its derivatives along x, y, z; d: from corner to point.
+// Adds one corner of the lattice cell. w: the corner's weight, and its derivatives along x, y, z; d: from
+// corner to point.
 MF_FN void mf_add_corner(F* p, F* px, F* py, F* pz, U slot, F3 d, F w, F3 dw) {
   const F3 g = mf_gradient(slot);
   const F rise = mf3_dot(g, d);
@@ -70,8 +73,8 @@ MF_FN void mf_add_corner(F* p, F* px, F* py, F* pz, U slot, F3 d, F w, F3 dw) {
   *pz += w * g.z + dw.z * rise;
 }
 
-// The three noises at lattice coordinates q (no unit), value and derivatives. `table` is Perlin's permutation, 512 entries,
-// read only where `permuted`.
+// The three noises at lattice coordinates q (no unit), value and derivatives. `table` is Perlin's
+// permutation, 512 entries, read only where `permuted`.
 MF_FN MfJet mf_noise3(F3 q, uint seed, int permuted, const MF_GLOBAL int* table) {
   const I ix = mf_floor(q.x);
   const I iy = mf_floor(q.y);
@@ -107,7 +110,8 @@ MF_FN MfJet mf_noise3(F3 q, uint seed, int permuted, const MF_GLOBAL int* table)
     const F3 dw = mf3(sx * wy * wz, wx * sy * wz, wx * wy * sz);
     U s1, s2, s3;
     if (permuted) {
-      // One permutation, three noises: the second and third, and other seeds than 0, read it at a shifted place.
+      // One permutation, three noises: the second and third, and other seeds than 0, read it at a shifted
+      // place.
       const I x = (ix + (cx + (int)(seed & 255u))) & 255;
       const I y = (iy + (cy + (int)((seed >> 8) & 255u))) & 255;
       const I z = (iz + (cz + (int)((seed >> 16) & 255u))) & 255;
@@ -117,7 +121,8 @@ MF_FN MfJet mf_noise3(F3 q, uint seed, int permuted, const MF_GLOBAL int* table)
       const I x3 = (x + 170) & 255;
       s3 = mf_to_unsigned(mf_igather(table, mf_igather(table, mf_igather(table, x3) + y) + z)) & 15u;
     } else {
-      const U h = mf_mix((cx ? hx + 0x8da6b343u : hx) + (cy ? hy + 0xd8163841u : hy) + (cz ? hz + 0xcb1ab31fu : hz));
+      const U h =
+          mf_mix((cx ? hx + 0x8da6b343u : hx) + (cy ? hy + 0xd8163841u : hy) + (cz ? hz + 0xcb1ab31fu : hz));
       s1 = h >> 28;
       s2 = (h >> 24) & 15u;
       s3 = (h >> 20) & 15u;
@@ -137,8 +142,8 @@ MF_FN MfJet mf_potential(F3 x, const MfNoise* noise, const MF_GLOBAL int* table)
   sum.dy = sum.value;
   sum.dz = sum.value;
   for (int o = 0; o < noise->octaves; ++o) {
-    const MfJet j = mf_noise3(mf3_scale(x, mf_splat(noise->inverse_scale[o])), noise->seed + (uint)o * 0x9e3779b9u,
-                              noise->permuted, table);
+    const MfJet j = mf_noise3(mf3_scale(x, mf_splat(noise->inverse_scale[o])),
+                              noise->seed + (uint)o * 0x9e3779b9u, noise->permuted, table);
     const F gain = mf_splat(noise->gain[o]);
     const F slope = mf_splat(noise->gain[o] * noise->inverse_scale[o]);
     sum.value = mf3_add(sum.value, mf3_scale(j.value, gain));
@@ -149,7 +154,8 @@ MF_FN MfJet mf_potential(F3 x, const MfNoise* noise, const MF_GLOBAL int* table)
   return sum;
 }
 
-// V = ∇ × P(x), m/s (Wang14 Eq. 1). What only the value and the diagonal derivatives need is dead code here, and removed.
+// V = ∇ × P(x), m/s (Wang14 Eq. 1). What only the value and the diagonal derivatives need is dead code here,
+// and removed.
 MF_FN F3 mf_curl_noise(F3 x, const MfNoise* noise, const MF_GLOBAL int* table) {
   return mf_curl(mf_potential(x, noise, table));
 }

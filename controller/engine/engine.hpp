@@ -1,4 +1,5 @@
-// What turns positions into preferred velocities. Two engines run the same kernels: native C++ on threads, and OpenCL.
+// What turns positions into preferred velocities. Two engines run the same kernels: native C++ on threads,
+// and OpenCL.
 #pragma once
 
 #include <cstddef>
@@ -40,7 +41,8 @@ class Engine {
   virtual Result<void> prepare(std::span<const SwarmModel> swarms, std::size_t agents) = 0;
   // Preferred velocity of every agent, minimum distance enforced on where they will be after `period_s`.
   // Returns how many agents MDE moved.
-  virtual std::size_t compute(const PositionColumns& at, float period_s, const VelocityColumns& out) noexcept = 0;
+  virtual std::size_t compute(const PositionColumns& at, float period_s,
+                              const VelocityColumns& out) noexcept = 0;
 };
 
 std::unique_ptr<Engine> make_native_engine(int threads);
