@@ -8,9 +8,6 @@
 namespace mayfly {
 namespace {
 
-// A grid with more cells than this many an agent costs more to clear than it saves in candidates.
-constexpr std::size_t kCellsPerAgent = 2;
-
 std::pair<float, float> extent(std::span<const float> column) {
   float low = std::numeric_limits<float>::max();
   float high = std::numeric_limits<float>::lowest();
@@ -37,14 +34,14 @@ void CellOrder::reserve(std::size_t agents) {
   }
   id_.assign(padded, -1);
   cell_of_.assign(agents, 0);
-  start_.assign(kCellsPerAgent * agents + 2, 0);
+  start_.assign(most_cells(agents) + 1, 0);
 }
 
 void CellOrder::choose_cells(const PositionColumns& at, float least_cell) noexcept {
   const auto [x0, x1] = extent(at.x);
   const auto [y0, y1] = extent(at.y);
   const auto [z0, z1] = extent(at.z);
-  const auto room = static_cast<std::int64_t>(kCellsPerAgent * at.x.size());
+  const auto room = static_cast<std::int64_t>(most_cells(at.x.size()));
   float cell = std::max(least_cell, 1e-3F);
   for (;;) {
     cells_.nx = cells_along(x1 - x0, cell);
@@ -52,7 +49,7 @@ void CellOrder::choose_cells(const PositionColumns& at, float least_cell) noexce
     cells_.nz = cells_along(z1 - z0, cell);
     // In steps, for the product of three may not fit into 64 bits.
     const std::int64_t plane = std::int64_t{cells_.nx} * cells_.ny;
-    if (plane <= room + 1 && plane * cells_.nz <= room + 1) {
+    if (plane <= room && plane * cells_.nz <= room) {
       break;
     }
     cell *= 1.25F;

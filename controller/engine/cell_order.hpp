@@ -12,6 +12,9 @@ namespace mayfly {
 
 class CellOrder {
  public:
+  // The most cells that a grid for `agents` has: more cost more to clear than they save in candidates.
+  static std::size_t most_cells(std::size_t agents) { return 2 * agents + 1; }
+
   // Room for `agents`; nothing allocates afterwards.
   void reserve(std::size_t agents);
 

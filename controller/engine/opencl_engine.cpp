@@ -1,0 +1,284 @@
+// The OpenCL engine: the same kernels on whatever device there is. Fields go to the device once, positions
+// every tick.
+#include <algorithm>
+#include <array>
+#include <optional>
+
+#include "compute/buffer.hpp"
+#include "compute/program.hpp"
+#include "controller/engine/engine.hpp"
+#include "controller/engine/minimum_distance.hpp"
+#include "controller/engine/permutation.hpp"
+
+namespace mayfly {
+namespace {
+
+using compute::Buffer;
+using compute::Device;
+using compute::Kernel;
+using compute::Status;
+
+constexpr std::size_t kGroup = 64;  // work items launched together
+std::size_t whole_groups(std::size_t items) {
+  return (items + kGroup - 1) / kGroup * kGroup;
+}
+
+// Three columns that travel together.
+struct Columns3 {
+  Buffer<float> x, y, z;
+
+  static Result<Columns3> create(const Device& device, std::size_t count) {
+    auto x = Buffer<float>::create(device, count);
+    auto y = Buffer<float>::create(device, count);
+    auto z = Buffer<float>::create(device, count);
+    for (auto* buffer : {&x, &y, &z}) {
+      if (!*buffer) {
+        return fail(std::move(buffer->error()));
+      }
+    }
+    return Columns3{std::move(*x), std::move(*y), std::move(*z)};
+  }
+  Status map() noexcept {
+    return each([](Buffer<float>& b) { return b.map(); });
+  }
+  Status unmap() noexcept {
+    return each([](Buffer<float>& b) { return b.unmap(); });
+  }
+
+  // Host to device. Leaves the columns with the device.
+  Status upload(std::span<const float> from_x, std::span<const float> from_y,
+                std::span<const float> from_z) noexcept {
+    if (const Status status = map(); !status.ok()) {
+      return status;
+    }
+    std::copy(from_x.begin(), from_x.end(), x.data().begin());
+    std::copy(from_y.begin(), from_y.end(), y.data().begin());
+    std::copy(from_z.begin(), from_z.end(), z.data().begin());
+    return unmap();
+  }
+  // Device to host, after all that is enqueued.
+  Status download(std::span<float> to_x, std::span<float> to_y, std::span<float> to_z) noexcept {
+    if (const Status status = map(); !status.ok()) {
+      return status;
+    }
+    std::copy_n(x.data().begin(), to_x.size(), to_x.begin());
+    std::copy_n(y.data().begin(), to_y.size(), to_y.begin());
+    std::copy_n(z.data().begin(), to_z.size(), to_z.begin());
+    return unmap();
+  }
+
+ private:
+  template <class Call>
+  Status each(Call call) noexcept {
+    for (Buffer<float>* buffer : {&x, &y, &z}) {
+      if (const Status status = call(*buffer); !status.ok()) {
+        return status;
+      }
+    }
+    return {};
+  }
+};
+
+// A swarm's own tables on the device.
+struct SwarmTables {
+  Buffer<float> distance, guide, settle;
+};
+
+Result<SwarmTables> upload_tables(const Device& device, const SwarmModel& swarm) {
+  auto distance = Buffer<float>::create_from(device, swarm.distance);
+  auto guide = Buffer<float>::create_from(device, swarm.guide);
+  auto settle = Buffer<float>::create(device, swarm.settle.size() + MF_LANES);
+  for (auto* buffer : {&distance, &guide, &settle}) {
+    if (!*buffer) {
+      return fail(std::move(buffer->error()));
+    }
+  }
+  std::copy(swarm.settle.begin(), swarm.settle.end(), settle->data().begin());
+  if (const Status status = settle->unmap(); !status.ok()) {
+    return fail(Cause::kEnvironment, "OpenCL buffer: " + std::string(compute::name_of(status)));
+  }
+  return SwarmTables{std::move(*distance), std::move(*guide), std::move(*settle)};
+}
+
+// What exists once the agents are known.
+struct Flying {
+  std::size_t agents;
+  Columns3 at, velocity;       // in the agents' order
+  Columns3 sorted, displaced;  // in the order of cells
+  Buffer<float> half_distance;
+  Buffer<int> id, start, permutation;
+  std::vector<SwarmTables> tables;
+};
+
+Result<Flying> make_flying(const Device& device, std::span<const SwarmModel> swarms, std::size_t agents) {
+  const std::size_t padded = agents + MF_LANES;
+  std::array<Result<Columns3>, 4> columns{Columns3::create(device, padded), Columns3::create(device, padded),
+                                          Columns3::create(device, padded), Columns3::create(device, padded)};
+  for (auto& result : columns) {
+    if (!result) {
+      return fail(std::move(result.error()));
+    }
+  }
+  auto half_distance = Buffer<float>::create(device, padded);
+  auto id = Buffer<int>::create(device, padded);
+  auto start = Buffer<int>::create(device, CellOrder::most_cells(agents) + 1);
+  auto permutation = Buffer<int>::create_from(device, kPermutation);
+  if (!half_distance || !id || !start || !permutation) {
+    return fail(Cause::kEnvironment, "OpenCL: no memory for " + std::to_string(agents) + " agents");
+  }
+  std::vector<SwarmTables> tables;
+  for (const SwarmModel& swarm : swarms) {
+    auto uploaded = upload_tables(device, swarm);
+    if (!uploaded) {
+      return fail(std::move(uploaded.error()));
+    }
+    tables.push_back(std::move(*uploaded));
+  }
+  return Flying{agents,
+                std::move(*columns[0]),
+                std::move(*columns[1]),
+                std::move(*columns[2]),
+                std::move(*columns[3]),
+                std::move(*half_distance),
+                std::move(*id),
+                std::move(*start),
+                std::move(*permutation),
+                std::move(tables)};
+}
+
+class OpenclEngine final : public Engine, private DisplacementSweep {
+ public:
+  OpenclEngine(Device device, Kernel velocity, Kernel displacement)
+      : device_(std::move(device)), velocity_(std::move(velocity)), displacement_(std::move(displacement)) {}
+
+  std::string_view name() const noexcept override { return "opencl"; }
+  std::string_view fault() const noexcept override { return fault_; }
+
+  Result<void> prepare(std::span<const SwarmModel> swarms, std::size_t agents) override {
+    swarms_.assign(swarms.begin(), swarms.end());
+    auto flying = make_flying(device_, swarms_, agents);
+    if (!flying) {
+      return fail(std::move(flying.error()));
+    }
+    flying_.emplace(std::move(*flying));
+    minimum_distance_.prepare(swarms_, agents);
+    return {};
+  }
+
+  std::size_t compute(const PositionColumns& at, float period_s,
+                      const VelocityColumns& out) noexcept override {
+    fault_ = {};
+    if (const Status status = velocities(at, out); !status.ok()) {
+      fault_ = compute::name_of(status);
+    }
+    const std::size_t moved = fault_.empty() ? minimum_distance_.enforce(at, period_s, out, *this) : 0;
+    if (!fault_.empty()) {
+      for (const std::span<float> column : {out.x, out.y, out.z}) {
+        std::fill(column.begin(), column.end(), 0.0F);
+      }
+    }
+    return moved;
+  }
+
+ private:
+  Status velocities(const PositionColumns& at, const VelocityColumns& out) noexcept {
+    Flying& f = *flying_;
+    if (const Status status = f.at.upload(at.x, at.y, at.z); !status.ok()) {
+      return status;
+    }
+    if (const Status status = f.velocity.unmap(); !status.ok()) {
+      return status;
+    }
+    for (std::size_t s = 0; s < swarms_.size(); ++s) {
+      const SwarmModel& swarm = swarms_[s];
+      const SwarmTables& tables = f.tables[s];
+      const Status set =
+          velocity_.set(f.at.x, f.at.y, f.at.z, tables.settle, f.velocity.x, f.velocity.y, f.velocity.z,
+                        static_cast<int>(swarm.first), static_cast<int>(swarm.count), swarm.field,
+                        tables.distance, tables.guide, f.permutation);
+      if (!set.ok()) {
+        return set;
+      }
+      const std::size_t items = (swarm.count + MF_LANES - 1) / MF_LANES;
+      if (const Status status = velocity_.enqueue(whole_groups(items), kGroup); !status.ok()) {
+        return status;
+      }
+    }
+    return f.velocity.download(out.x, out.y, out.z);
+  }
+
+  void displacements(const CellOrder& order, std::span<float> dx, std::span<float> dy,
+                     std::span<float> dz) noexcept override {
+    if (const Status status = sweep(order, dx, dy, dz); !status.ok()) {
+      fault_ = compute::name_of(status);
+      for (const std::span<float> column : {dx, dy, dz}) {
+        std::fill(column.begin(), column.end(), 0.0F);
+      }
+    }
+  }
+
+  template <class T>
+  static Status upload(Buffer<T>& buffer, std::span<const T> from) noexcept {
+    if (const Status status = buffer.map(); !status.ok()) {
+      return status;
+    }
+    std::copy_n(from.begin(), std::min(from.size(), buffer.size()), buffer.data().begin());
+    return buffer.unmap();
+  }
+
+  Status sweep(const CellOrder& order, std::span<float> dx, std::span<float> dy,
+               std::span<float> dz) noexcept {
+    Flying& f = *flying_;
+    const std::array<Status, 6> uploads{
+        f.sorted.upload(order.x(), order.y(), order.z()),
+        upload(f.half_distance, order.half_distance()),
+        upload(f.id, order.id()),
+        upload(f.start, order.start()),
+        f.displaced.unmap(),
+        displacement_.set(order.cells(), f.start, f.sorted.x, f.sorted.y, f.sorted.z, f.half_distance, f.id,
+                          f.displaced.x, f.displaced.y, f.displaced.z, static_cast<int>(f.agents))};
+    for (const Status status : uploads) {
+      if (!status.ok()) {
+        return status;
+      }
+    }
+    if (const Status status = displacement_.enqueue(whole_groups(f.agents), kGroup); !status.ok()) {
+      return status;
+    }
+    return f.displaced.download(dx, dy, dz);
+  }
+
+  Device device_;
+  Kernel velocity_;
+  Kernel displacement_;
+  std::vector<SwarmModel> swarms_;
+  std::optional<Flying> flying_;
+  MinimumDistance minimum_distance_;
+  std::string_view fault_{};
+};
+
+Result<Kernel> build_kernel(const Device& device, std::string_view program, const std::string& kernel) {
+  return compute::Program::build(device, program).and_then([&](const compute::Program& p) {
+    return p.kernel(kernel);
+  });
+}
+
+}  // namespace
+
+Result<std::unique_ptr<Engine>> make_opencl_engine() {
+  auto device = Device::open();
+  if (!device) {
+    return fail(std::move(device.error()));
+  }
+  auto velocity = build_kernel(*device, "field", "field_velocity");
+  if (!velocity) {
+    return fail(std::move(velocity.error()));
+  }
+  auto displacement = build_kernel(*device, "mde", "displacement");
+  if (!displacement) {
+    return fail(std::move(displacement.error()));
+  }
+  return std::make_unique<OpenclEngine>(std::move(*device), std::move(*velocity), std::move(*displacement));
+}
+
+}  // namespace mayfly
