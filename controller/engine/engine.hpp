@@ -43,6 +43,8 @@ class Engine {
   // Returns how many agents MDE moved.
   virtual std::size_t compute(const PositionColumns& at, float period_s,
                               const VelocityColumns& out) noexcept = 0;
+  // What went wrong in the last compute(), which then gave zero velocities; empty if nothing did.
+  virtual std::string_view fault() const noexcept { return {}; }
 };
 
 std::unique_ptr<Engine> make_native_engine(int threads);
