@@ -21,10 +21,13 @@ if(MAYFLY_CCACHE)
 endif()
 
 add_compile_options(-Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror)
-# As in gcc, where -Wconversion leaves signedness to the reader.
-add_compile_options($<$<CXX_COMPILER_ID:Clang>:-Wno-sign-conversion>)
-# GCC's vector types change the calling convention with -march; nothing passes them across our binary's border.
-add_compile_options($<$<CXX_COMPILER_ID:GNU>:-Wno-psabi>)
+if(CMAKE_CXX_COMPILER_ID MATCHES "Clang")
+  # As in gcc, whose -Wconversion leaves signedness to the reader.
+  add_compile_options(-Wno-sign-conversion)
+else()
+  # Vector types change the calling convention with -march; nothing passes them across our binary's border.
+  add_compile_options(-Wno-psabi)
+endif()
 # The same expression must give the same bits in every engine, compiler and thread count (docs/decisions).
 add_compile_options(-ffp-contract=off -fno-math-errno -fno-trapping-math)
 if(MAYFLY_ARCH)

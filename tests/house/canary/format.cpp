@@ -1,0 +1,4 @@
+// bites: [-Wclang-format-violations]
+namespace mayfly {
+int   crooked( int a ){ return a ;}
+}

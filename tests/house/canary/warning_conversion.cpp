@@ -1,0 +1,4 @@
+// bites: conversion
+namespace mayfly {
+int truncate(double metres) { return metres; }
+}  // namespace mayfly

@@ -1,0 +1,4 @@
+// bites: unused
+namespace mayfly {
+void idle() { int nobody = 0; }
+}  // namespace mayfly
