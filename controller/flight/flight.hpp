@@ -16,10 +16,12 @@
 
 namespace mayfly {
 
-// Set from a signal handler: 1 asks the swarm to hold and then the flight to end, 2 or more is the emergency stop.
+// Set from a signal handler: 1 asks the swarm to hold and then the flight to end, 2 or more is the emergency
+// stop.
 using StopRequest = std::atomic<int>;
 
-// True state for metrics and observers, where the HAL knows it (simulation). Columns as in StateColumns; may be empty.
+// True state for metrics and observers, where the HAL knows it (simulation). Columns as in StateColumns; may
+// be empty.
 class GroundTruth {
  public:
   virtual ~GroundTruth() = default;
@@ -29,16 +31,17 @@ class GroundTruth {
 struct FlightParts {
   const Scenario& scenario;
   const World& world;
-  Engine& engine;               // prepared for this scenario's swarms
-  Hal& hal;                     // one robot an agent, in the scenario's order; not yet configured
+  Engine& engine;  // prepared for this scenario's swarms
+  Hal& hal;        // one robot an agent, in the scenario's order; not yet configured
   const GroundTruth* truth = nullptr;
   Clock& clock;
   std::span<Observer* const> observers{};
   const StopRequest* stop = nullptr;
-  Progress progress{};          // fraction of the duration flown
+  Progress progress{};  // fraction of the duration flown
 };
 
-// Flies the scenario to its end. An error means that nothing flew (the HAL refused); faults in flight are in the summary.
+// Flies the scenario to its end. An error means that nothing flew (the HAL refused); faults in flight are in
+// the summary.
 Result<Summary> fly(const FlightParts& parts);
 
 }  // namespace mayfly

@@ -16,17 +16,18 @@ namespace mayfly {
 
 struct World {
   Grid grid;
-  fields::Geometry solid;               // exact
+  fields::Geometry solid;  // exact
   fields::DistanceField distance;
   std::vector<fields::Geometry> goals;  // exact, one a goal of the scenario, in its order
   // One a swarm, in the scenario's order; swarms with the same goal and weights share one.
   std::vector<std::shared_ptr<const fields::CostField>> costs;
   PreprocessingSummary preprocessing;
-  std::vector<Error> warnings;          // "1 204 free cells cannot reach goal 'exit'"
+  std::vector<Error> warnings;  // "1 204 free cells cannot reach goal 'exit'"
 };
 
-// Builds the fields (or takes them from the cache on disk). Errors name the place in the scenario: an open mesh, a goal
-// inside an obstacle, a start region that cannot reach its goal.
-tl::expected<World, std::vector<Error>> build_world(const Scenario& scenario, int threads, const Progress& progress);
+// Builds the fields (or takes them from the cache on disk). Errors name the place in the scenario: an open
+// mesh, a goal inside an obstacle, a start region that cannot reach its goal.
+tl::expected<World, std::vector<Error>> build_world(const Scenario& scenario, int threads,
+                                                    const Progress& progress);
 
 }  // namespace mayfly

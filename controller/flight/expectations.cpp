@@ -1,0 +1,92 @@
+#include "controller/flight/expectations.hpp"
+
+#include <fmt/format.h>
+
+namespace mayfly {
+namespace {
+
+using Quantity = Expectation::Quantity;
+using Comparison = Expectation::Comparison;
+
+template <class Number>
+std::optional<double> as_double(const std::optional<Number>& value) {
+  return value ? std::optional<double>(static_cast<double>(*value)) : std::nullopt;
+}
+
+std::optional<double> measured(const Expectation& expectation, const Summary& summary,
+                               const ReachedFraction& reached) {
+  switch (expectation.quantity) {
+    case Quantity::kReached:
+      return reached(expectation.swarm);
+    case Quantity::kMinSeparation:
+      return summary.min_separation_m;
+    case Quantity::kPenetrations:
+      return as_double(summary.penetrations);
+    case Quantity::kCollisions:
+      return as_double(summary.collisions);
+    case Quantity::kMdePercent:
+      return summary.mde_percent;
+    case Quantity::kMaxSpeed:
+      return summary.max_speed_mps;
+    case Quantity::kMaxAcceleration:
+      return summary.max_acceleration_mps2;
+    case Quantity::kGovernorInterventions:
+      return static_cast<double>(summary.governor_interventions);
+    case Quantity::kMissed:
+      return static_cast<double>(summary.control.missed);
+    case Quantity::kFaults:
+      return static_cast<double>(summary.faults.size());
+  }
+  return std::nullopt;
+}
+
+// Written so that a NaN passes nothing.
+bool holds(Comparison comparison, double value, double wanted) {
+  switch (comparison) {
+    case Comparison::kGreaterEqual:
+      return value >= wanted;
+    case Comparison::kLessEqual:
+      return value <= wanted;
+    case Comparison::kEqual:
+      return value == wanted;
+    case Comparison::kGreater:
+      return value > wanted;
+    case Comparison::kLess:
+      return value < wanted;
+  }
+  return false;
+}
+
+std::string_view sign_of(Comparison comparison) {
+  switch (comparison) {
+    case Comparison::kGreaterEqual:
+      return ">=";
+    case Comparison::kLessEqual:
+      return "<=";
+    case Comparison::kEqual:
+      return "==";
+    case Comparison::kGreater:
+      return ">";
+    case Comparison::kLess:
+      return "<";
+  }
+  return "";
+}
+
+}  // namespace
+
+std::vector<ExpectationResult> hold_expectations(const std::vector<Expectation>& expectations,
+                                                 const Summary& summary, const ReachedFraction& reached) {
+  std::vector<ExpectationResult> results;
+  for (const Expectation& expectation : expectations) {
+    ExpectationResult result;
+    result.name = expectation.text;
+    result.value = measured(expectation, summary, reached);
+    result.wanted = fmt::format("{} {:g}", sign_of(expectation.comparison), expectation.wanted);
+    result.pass = result.value && holds(expectation.comparison, *result.value, expectation.wanted);
+    results.push_back(std::move(result));
+  }
+  return results;
+}
+
+}  // namespace mayfly

@@ -1,0 +1,23 @@
+// From a scenario and its world to what an engine flies by.
+#pragma once
+
+#include <vector>
+
+#include "controller/engine/engine.hpp"
+#include "controller/flight/world.hpp"
+#include "controller/scenario/scenario.hpp"
+
+namespace mayfly {
+
+// The swarms' models, and the columns that belong to them.
+struct SwarmModels {
+  std::vector<SwarmModel> swarms;
+  std::vector<std::vector<float>> settle;  // m, one column a swarm
+
+  std::size_t agents() const { return swarms.empty() ? 0 : swarms.back().first + swarms.back().count; }
+};
+
+// Spans point into `world`, which must outlive the result.
+SwarmModels make_swarm_models(const Scenario& scenario, const World& world);
+
+}  // namespace mayfly
