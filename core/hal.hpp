@@ -4,6 +4,7 @@
 //
 // The order is enforced here, for every HAL alike: a call in the wrong state is refused, counted, and never reaches the
 // robots. read and write neither block, nor allocate, nor throw: I/O threads own the buses and hand over the newest value.
+// One thread calls a HAL; its counters may be read from any.
 #pragma once
 
 #include <atomic>
@@ -30,7 +31,8 @@ enum class HalState : std::uint8_t { kCreated, kConfigured, kActive, kInactive }
 enum class HalFault : std::uint8_t {
   kNone,
   kWrongState,     // called out of order
-  kWrongSize,      // columns of another length than robots()
+  kWrongSize,      // a column shorter than robots()
+  kOutOfSequence,  // an old or repeated command; none of it reached a robot
   kNotFinite,      // a velocity that is not a number; that robot got `hold` instead
   kExpired,        // the command's deadline had passed; that robot got `hold` instead
   kLinkDown,       // the bus, dongle or port does not answer
@@ -62,21 +64,22 @@ struct StateColumns {
   std::span<std::uint8_t> valid;
 };
 
-// One command for each robot. Velocities (m/s, world frame) count only where kind is kVelocity.
+// One command for each robot, in the order of robots(); columns may be longer, the excess is ignored.
+// Velocities (m/s, world frame) count only where kind is kVelocity.
 // After `deadline` the HAL makes every robot hold on its own: a controller that died must not fly on.
 struct CommandColumns {
   std::span<const CommandKind> kind;
   std::span<const float> vx, vy, vz;
   Time deadline{0};
-  std::uint64_t sequence = 0;  // strictly increasing
+  std::uint64_t sequence = 0;  // strictly increasing from 1 on; begins anew with each activation
 };
 
 // Every drop has a counter.
 struct HalCounters {
   std::atomic<std::uint64_t> reads{0};
   std::atomic<std::uint64_t> writes{0};
-  std::atomic<std::uint64_t> refused_calls{0};      // wrong state or wrong size
-  std::atomic<std::uint64_t> refused_commands{0};   // not finite, expired, or out of sequence
+  std::atomic<std::uint64_t> refused_calls{0};     // wrong state or wrong size, set-up calls included
+  std::atomic<std::uint64_t> refused_commands{0};  // one a robot: not finite, expired, or out of sequence
 };
 
 class Hal {
@@ -86,7 +89,7 @@ class Hal {
   Hal& operator=(const Hal&) = delete;
   virtual ~Hal() = default;
 
-  // Opens links, checks robots, allocates. Once, before anything else.
+  // Opens links, checks robots, allocates. Once, before anything else; after a failure it may be tried again.
   Result<void> configure();
   // Robots may move from here on.
   Result<void> activate(Time now);
@@ -94,7 +97,8 @@ class Hal {
   HalResult read(Time now, const StateColumns& states) noexcept;
   // Hands one command to each robot. `now` is compared with the deadline.
   HalResult write(Time now, const CommandColumns& commands) noexcept;
-  // Makes every robot safe (hold, land or stop: the device's own choice), then lets go of it. Idempotent.
+  // Makes every robot safe (hold, land or stop: the device's own choice), then lets go of it. Idempotent, and harmless
+  // in every state; if it fails the HAL stays active, so that it can be tried again.
   Result<void> deactivate(Time now);
 
   HalState state() const noexcept { return state_; }
@@ -106,13 +110,15 @@ class Hal {
  protected:
   virtual Result<void> do_configure() = 0;
   virtual Result<void> do_activate(Time now) = 0;
+  // Every column is exactly as long as robots().
   virtual HalResult do_read(Time now, const StateColumns& states) noexcept = 0;
   // `commands` are in sequence, of the right length, finite and not expired: the base class has replaced or refused the rest.
   virtual HalResult do_write(Time now, const CommandColumns& commands) noexcept = 0;
   virtual Result<void> do_deactivate(Time now) = 0;
 
  private:
-  HalResult check_columns(const CommandColumns& commands) noexcept;
+  HalResult refuse_call(HalFault fault, std::string_view cause) noexcept;
+  // Fills kinds_ with what may be written, and says what had to be replaced.
   HalResult sanitise(Time now, const CommandColumns& commands) noexcept;
 
   HalState state_ = HalState::kCreated;

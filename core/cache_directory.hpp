@@ -1,0 +1,29 @@
+// Where this user's caches live. A cache only saves time: whoever uses it works as well where there is none.
+#pragma once
+
+#include <cstdlib>
+#include <filesystem>
+#include <optional>
+
+namespace mayfly {
+
+// $MAYFLY_CACHE_DIR, else $XDG_CACHE_HOME/mayfly, else ~/.cache/mayfly; nothing where none of the three is
+// set. The folder may not exist yet. The XDG specification has relative paths ignored.
+inline std::optional<std::filesystem::path> cache_directory() {
+  const auto variable = [](const char* name) -> std::optional<std::filesystem::path> {
+    const char* value = std::getenv(name);
+    return value == nullptr || *value == '\0' ? std::nullopt : std::optional<std::filesystem::path>(value);
+  };
+  if (const auto own = variable("MAYFLY_CACHE_DIR")) {
+    return own;
+  }
+  if (const auto xdg = variable("XDG_CACHE_HOME"); xdg && xdg->is_absolute()) {
+    return *xdg / "mayfly";
+  }
+  if (const auto home = variable("HOME"); home && home->is_absolute()) {
+    return *home / ".cache" / "mayfly";
+  }
+  return std::nullopt;
+}
+
+}  // namespace mayfly
