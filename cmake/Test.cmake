@@ -1,21 +1,37 @@
-# mayfly_test(NAME SOURCES ... USES ... [LABELS ...] [SERIAL]): one GoogleTest executable, test_NAME, and one ctest entry a case.
-# SERIAL is for tests that use every core or a machine-wide resource.
+# mayfly_test(NAME SOURCES ... USES ... [LABELS ...] [SERIAL] [UNSANITIZED]): one GoogleTest executable, test_NAME, and one
+# ctest entry a case.
+#   LABELS threads   also run under ThreadSanitizer
+#   SERIAL           for tests that use every core or a machine-wide resource
+#   UNSANITIZED      not run again under AddressSanitizer; say why beside it
 
 include(GoogleTest)
 find_package(GTest REQUIRED)
 
+option(MAYFLY_SANITIZED_TESTS "ctest here also runs the tests of build/asan-ubsan and build/tsan, which must be built" OFF)
+
+# Builds what the tsan tree is for, and nothing else.
+add_custom_target(thread_tests)
+
+if(MAYFLY_SANITIZE)
+  add_library(mayfly_sanitizer_options OBJECT ${CMAKE_SOURCE_DIR}/tests/sanitizer_options.cpp)
+endif()
+
 # MAYFLY_DATA goes through from the environment: tests with real data skip themselves, visibly, where it isn't set.
 function(mayfly_test NAME)
-  cmake_parse_arguments(ARG "SERIAL" "" "SOURCES;USES;LABELS" ${ARGN})
+  cmake_parse_arguments(ARG "SERIAL;UNSANITIZED" "" "SOURCES;USES;LABELS" ${ARGN})
   if(ARG_UNPARSED_ARGUMENTS OR NOT ARG_SOURCES)
     message(FATAL_ERROR "mayfly_test(${NAME}): needs SOURCES, does not know '${ARG_UNPARSED_ARGUMENTS}'")
   endif()
   add_executable(test_${NAME} ${ARG_SOURCES})
+  set_target_properties(test_${NAME} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/tests)
   target_include_directories(test_${NAME} PRIVATE ${CMAKE_SOURCE_DIR})
-  # Where tests find the project's own files (config/, fixtures), whatever directory they run in.
+  # Where tests find the project's own files (config/, fixtures) and programs, whatever directory they run in.
   target_compile_definitions(test_${NAME} PRIVATE MAYFLY_SOURCE_DIR="${CMAKE_SOURCE_DIR}"
                                                   MAYFLY_BINARY_DIR="${CMAKE_BINARY_DIR}")
   target_link_libraries(test_${NAME} PRIVATE ${ARG_USES} GTest::gtest_main GTest::gmock)
+  if(MAYFLY_SANITIZE)
+    target_link_libraries(test_${NAME} PRIVATE mayfly_sanitizer_options)
+  endif()
   set(properties "")
   if(ARG_LABELS)
     list(JOIN ARG_LABELS "\\;" labels)
@@ -26,6 +42,22 @@ function(mayfly_test NAME)
   endif()
   # Listed when ctest starts, not when the test is linked: a build never runs what it has just built.
   gtest_discover_tests(test_${NAME} TEST_PREFIX "${NAME}." DISCOVERY_MODE PRE_TEST PROPERTIES TIMEOUT 300 ${properties})
+
+  if("threads" IN_LIST ARG_LABELS)
+    add_dependencies(thread_tests test_${NAME})
+  endif()
+  if(MAYFLY_SANITIZED_TESTS AND NOT ARG_UNSANITIZED AND NOT MAYFLY_UNSANITIZED_LEVEL)
+    mayfly_sanitized_test(asan-ubsan ${NAME} "${properties}")
+    if("threads" IN_LIST ARG_LABELS)
+      mayfly_sanitized_test(tsan ${NAME} "${properties}")
+    endif()
+  endif()
+endfunction()
+
+# One ctest entry for a whole executable of another tree, so that a single summary tells of all.
+function(mayfly_sanitized_test PRESET NAME PROPERTIES)
+  add_test(NAME ${PRESET}.${NAME} COMMAND ${CMAKE_SOURCE_DIR}/build/${PRESET}/tests/test_${NAME} --gtest_brief=1)
+  set_tests_properties(${PRESET}.${NAME} PROPERTIES TIMEOUT 600 ${PROPERTIES} LABELS sanitizer)
 endfunction()
 
 # Adds every directory below DIRECTORY that has a CMakeLists.txt: a new test room needs no line anywhere else.

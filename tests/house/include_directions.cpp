@@ -15,7 +15,7 @@ using Rooms = std::set<std::string, std::less<>>;
 
 // Written out in full rather than followed from room to room: what stands here is the whole rule.
 const std::map<std::string, Rooms, std::less<>>& allowed() {
-  static const std::map<std::string, Rooms, std::less<>> table = {
+  static const std::map<std::string, Rooms, std::less<>> kTable = {
       {"core", {"core"}},
       {"kernels", {"kernels", "core"}},
       {"compute", {"compute", "kernels", "core"}},
@@ -26,7 +26,7 @@ const std::map<std::string, Rooms, std::less<>>& allowed() {
       {"record", {"record", "controller", "fields", "compute", "kernels", "core"}},
       {"analysis", {"analysis", "controller", "fields", "compute", "kernels", "core"}},
   };
-  return table;
+  return kTable;
 }
 
 // At the edge of the tree: they may use every room that has a rule above, and their own files.
@@ -51,12 +51,12 @@ bool may_look(const std::string& from, const std::string& to) {
 
 void check_file(const std::filesystem::path& top, const std::filesystem::path& file, const std::string& room,
                 std::vector<std::string>& wrong) {
-  static const std::regex pattern(R"(^\s*#\s*include\s*(["<])([^">]+)[">])");
+  static const std::regex kPattern(R"(^\s*#\s*include\s*(["<])([^">]+)[">])");
   std::ifstream in(file);
   std::string text;
   for (int line = 1; std::getline(in, text); ++line) {
     std::smatch match;
-    if (!std::regex_search(text, match, pattern)) {
+    if (!std::regex_search(text, match, kPattern)) {
       continue;
     }
     const std::string target = match[2];
