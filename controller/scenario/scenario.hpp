@@ -1,6 +1,7 @@
-// A scenario as the program understands it: plain data, already checked, defaults filled in. scenario/load.hpp makes it
-// from YAML; the keys are described once, in scenario/schema.cpp, from which the checks, the JSON schema and the reference
-// page come. SI units throughout; world frame x east, y north, z up.
+// A scenario as the program understands it: plain data, already checked, defaults filled in.
+// scenario/load.hpp makes it from YAML; the keys are described once, in scenario/schema.cpp, from which the
+// checks, the JSON schema and the reference page come. SI units throughout; world frame x east, y north, z
+// up.
 #pragma once
 
 #include <cstdint>
@@ -29,7 +30,7 @@ struct GoalSpec {
 
 struct WorldSpec {
   Box bounds;
-  float cell = 1.0F;                // m
+  float cell = 1.0F;  // m
   std::vector<ObstacleSpec> obstacles;
   std::vector<GoalSpec> goals;
 };
@@ -69,31 +70,33 @@ struct SwarmSpec {
   Model model = Model::kField;
   NoiseSpec noise;
   CostSpec cost;
-  float cruise_speed = 1.5F;          // m/s, Wang14's s0
-  std::optional<float> boundary;      // m, Wang14's d0; default one cell
+  float cruise_speed = 1.5F;      // m/s, Wang14's s0
+  std::optional<float> boundary;  // m, Wang14's d0; default one cell
   LimitsSpec limits;
-  float radius = 0.05F;               // m, the body
+  float radius = 0.05F;  // m, the body
   int mde_sweeps = 8;
   bool governor = true;
-  std::string robots;                 // the name of a HAL below
-  Place place;                        // of the swarm
-  Place start_place;                  // of its start
-  Place goal_place;                   // of its goal's name
+  std::string robots;  // the name of a HAL below
+  Place place;         // of the swarm
+  Place start_place;   // of its start
+  Place goal_place;    // of its goal's name
 };
 
 enum class PlantKind { kIdeal, kVelocityLag, kDoubleIntegrator };
 
 struct SimHalSpec {
   PlantKind plant = PlantKind::kIdeal;
-  float time_constant = 0.1F;   // s, velocity_lag
-  float rate = 200.0F;          // Hz, plant steps; at least the control rate, and a multiple of it on the virtual clock
+  float time_constant = 0.1F;  // s, velocity_lag
+  float rate =
+      200.0F;  // Hz, plant steps; at least the control rate, and a multiple of it on the virtual clock
   // Faults, all off by default.
-  float pose_noise = 0.0F;      // m, standard deviation a coordinate
-  float delay = 0.0F;           // s, between measuring and handing over
-  float dropout = 0.0F;         // probability that one robot's sample of one tick is lost
-  float freeze = 0.0F;          // probability a robot and second that its pose stays at its last value (stamps go on) for freeze_time
-  float freeze_time = 0.5F;     // s
-  float nan = 0.0F;             // probability that one sample is NaN
+  float pose_noise = 0.0F;  // m, standard deviation a coordinate
+  float delay = 0.0F;       // s, between measuring and handing over
+  float dropout = 0.0F;     // probability that one robot's sample of one tick is lost
+  float freeze = 0.0F;  // probability a robot and second that its pose stays at its last value (stamps go on)
+                        // for freeze_time
+  float freeze_time = 0.5F;  // s
+  float nan = 0.0F;          // probability that one sample is NaN
 };
 
 struct HalSpec {
@@ -102,23 +105,40 @@ struct HalSpec {
 };
 
 struct Expectation {
-  enum class Quantity { kReached, kMinSeparation, kPenetrations, kCollisions, kMdePercent, kMaxSpeed,
-                        kMaxAcceleration, kGovernorInterventions, kMissed, kFaults };
+  enum class Quantity {
+    kReached,
+    kMinSeparation,
+    kPenetrations,
+    kCollisions,
+    kMdePercent,
+    kMaxSpeed,
+    kMaxAcceleration,
+    kGovernorInterventions,
+    kMissed,
+    kFaults
+  };
   enum class Comparison { kGreaterEqual, kLessEqual, kEqual, kGreater, kLess };
   Quantity quantity = Quantity::kPenetrations;
   std::string swarm;  // kReached only: empty for all
   std::string goal;   // kReached only
   Comparison comparison = Comparison::kEqual;
   double wanted = 0.0;
-  std::string text;   // as written, for the summary: "reached flies at exit"
+  std::string text;  // as written, for the summary: "reached flies at exit"
 };
 
 struct ControlSpec {
-  float rate = 100.0F;    // Hz
+  float rate = 100.0F;  // Hz
 };
 
 struct RecordSpec {
-  float rate = 20.0F;     // Hz
+  float rate = 20.0F;  // Hz
+};
+
+// Read and kept, though nothing runs planners yet (Scenario::warnings says so).
+struct PlannerSpec {
+  std::string name;
+  float rate = 0.0F;  // Hz
+  Place place;
 };
 
 struct Scenario {
@@ -132,6 +152,8 @@ struct Scenario {
   RecordSpec record;
   std::vector<HalSpec> hals;
   std::vector<Expectation> expect;
+  std::vector<PlannerSpec> planners;
+  std::vector<Error> warnings;  // what is odd but flies
 };
 
 }  // namespace mayfly

@@ -1,0 +1,203 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+
+#include "controller/scenario/build.hpp"
+#include "controller/scenario/packing.hpp"
+#include "controller/scenario/suggest.hpp"
+
+namespace mayfly {
+namespace {
+
+constexpr long long kMaxAgents = 2'000'000;
+
+NoiseSpec build_noise(const Values& noise, Findings& findings) {
+  NoiseSpec spec;
+  spec.kind = noise.choice("kind") == 0 ? NoiseKind::kCurl : NoiseKind::kNone;
+  spec.hash = noise.choice("hash") == 0 ? NoiseHash::kInteger : NoiseHash::kPerlin2002;
+  const YamlNode* octaves = noise.node("octaves");
+  if (octaves == nullptr) {
+    spec.octaves = {{noise.number_f("scale"), noise.number_f("gain")}};
+    return spec;
+  }
+  if (noise.has("scale") || noise.has("gain")) {
+    findings.error(octaves->mark, "'octaves' and 'scale' with 'gain' both say what the noise is", "",
+                   "one of the two");
+  }
+  spec.octaves.clear();
+  for (const YamlNode& item : octaves->items) {
+    const Values octave = noise.element("octaves", item);
+    spec.octaves.push_back({octave.number_f("scale"), octave.number_f("gain")});
+  }
+  return spec;
+}
+
+CostSpec build_cost(const Values& cost, float cell) {
+  const bool is_eq7 = cost.choice("preset") == 1;
+  CostSpec spec;
+  spec.length_weight = cost.maybe_number("length_weight").value_or(is_eq7 ? cell : 0.6F);  // Wang14 Eq. 7, 4
+  spec.repulsion_weight =
+      cost.maybe_number("repulsion_weight").value_or(is_eq7 ? 4.0F : 0.4F);  // Wang14 Eq. 7, 4
+  spec.influence = cost.maybe_number("influence");
+  return spec;
+}
+
+LimitsSpec build_limits(const Values& limits) {
+  return {limits.number_f("speed"), limits.number_f("acceleration"), limits.number_f("separation")};
+}
+
+// The box around a start region.
+Box start_box(const fields::Shape& start) {
+  if (const auto* sphere = std::get_if<fields::SphereShape>(&start)) {
+    return {sphere->center - sphere->radius, sphere->center + sphere->radius};
+  }
+  return std::get<fields::BoxShape>(start).box;
+}
+
+double grown_volume(const fields::Shape& start, double separation) {
+  if (const auto* sphere = std::get_if<fields::SphereShape>(&start)) {
+    return grown_sphere_volume(sphere->radius, separation);
+  }
+  const glm::dvec3 size = glm::dvec3(start_box(start).max) - glm::dvec3(start_box(start).min);
+  return grown_box_volume(size.x, size.y, size.z, separation);
+}
+
+void check_room(const SwarmSpec& swarm, const YamlMark& mark, Findings& findings) {
+  const double separation = swarm.limits.separation;
+  if (separation <= 0.0 || swarm.count <= 1) {
+    return;
+  }
+  const double volume = grown_volume(swarm.start, separation);
+  const double share = packed_share(swarm.count, separation, volume);
+  if (share > kRandomClosePacking) {
+    findings.error(mark, fmt::format("swarm '{}' does not fit its start region", swarm.name),
+                   fmt::format("{} agents {:g} m apart, which would fill {:.0f} % of it", swarm.count,
+                               separation, 100.0 * share),
+                   fmt::format("at most {:.0f} agents, or a region {:.2f} times as long each way",
+                               count_that_fits(separation, volume, kRandomClosePacking),
+                               1.01 * std::cbrt(share / kRandomClosePacking)));
+  } else if (share > kRandomAddition) {
+    findings.warn(
+        mark, fmt::format("swarm '{}' fills {:.0f} % of its start region, so that places are hard to find; "
+                          "at most {:.0f} agents start with ease",
+                          swarm.name, 100.0 * share, count_that_fits(separation, volume, kRandomAddition)));
+  }
+}
+
+void check_start(const Values& values, const SwarmSpec& swarm, const Box& bounds, Findings& findings) {
+  const Box start = start_box(swarm.start);
+  if (!bounds.contains(start.min) || !bounds.contains(start.max)) {
+    findings.error(values.mark("start"), fmt::format("swarm '{}' starts outside world.bounds", swarm.name),
+                   "", "a start region that lies inside");
+  }
+  check_room(swarm, values.mark("start"), findings);
+}
+
+void check_speeds(const Values& values, const SwarmSpec& swarm, Findings& findings) {
+  if (swarm.cruise_speed > swarm.limits.speed) {
+    const bool own = values.has("cruise_speed");
+    findings.error(
+        own ? values.mark("cruise_speed") : values.map("limits").mark("speed"),
+        "the cruise speed is above the speed limit",
+        fmt::format("cruise_speed {:g} and limits.speed {:g}", swarm.cruise_speed, swarm.limits.speed),
+        "a cruise speed of at most the limit");
+  }
+  if (swarm.limits.separation < 2.0F * swarm.radius) {
+    findings.warn(
+        values.has("limits") ? values.map("limits").mark("separation") : values.mark("name"),
+        fmt::format(
+            "swarm '{}': a separation of {:g} m is less than two radii ({:g} m), so that bodies may touch",
+            swarm.name, swarm.limits.separation, 2.0F * swarm.radius));
+  }
+}
+
+template <class Specs>
+std::vector<std::string> names_of(const Specs& specs) {
+  std::vector<std::string> names;
+  for (const auto& spec : specs) {
+    names.push_back(spec.name);
+  }
+  return names;
+}
+
+void check_known(const Values& values, const char* key, const std::vector<std::string>& names,
+                 const char* what, Findings& findings) {
+  const std::string name = values.text(key);
+  if (std::find(names.begin(), names.end(), name) == names.end()) {
+    findings.error(values.mark(key), fmt::format("there is no {} '{}'", what, name), "",
+                   "one of " + list_names(names), nearest_name(name, names));
+  }
+}
+
+std::string build_robots(const Values& values, const std::vector<std::string>& hals, Findings& findings) {
+  if (values.has("robots")) {
+    check_known(values, "robots", hals, "HAL", findings);
+    return values.text("robots");
+  }
+  if (hals.size() != 1) {
+    findings.error(values.mark("robots"), "this swarm does not say whose robots it flies", "",
+                   "'robots: ' and one of " + list_names(hals));
+  }
+  return hals.front();
+}
+
+SwarmSpec build_swarm(const Values& values, const Scenario& scenario, const FileRoots& roots,
+                      Findings& findings) {
+  SwarmSpec swarm;
+  swarm.name = values.text("name");
+  swarm.count = static_cast<int>(values.integer("count"));
+  const std::size_t before = findings.errors.size();
+  swarm.start = build_shape(values.map("start"), roots, findings);
+  const bool has_start = findings.errors.size() == before;
+  swarm.goal = values.text("goal");
+  swarm.noise = build_noise(values.map("noise"), findings);
+  swarm.cost = build_cost(values.map("cost"), scenario.world.cell);
+  swarm.cruise_speed = values.number_f("cruise_speed");
+  swarm.boundary = values.maybe_number("boundary");
+  swarm.limits = build_limits(values.map("limits"));
+  swarm.radius = values.number_f("radius");
+  swarm.mde_sweeps = static_cast<int>(values.integer("mde_sweeps"));
+  swarm.governor = values.flag("governor");
+  swarm.robots = build_robots(values, names_of(scenario.hals), findings);
+  swarm.start_place = values.mark("start").place();
+  swarm.goal_place = values.mark("goal").place();
+  check_known(values, "goal", names_of(scenario.world.goals), "goal", findings);
+  check_speeds(values, swarm, findings);
+  const Box& bounds = scenario.world.bounds;
+  if (has_start && bounds.min.x < bounds.max.x && bounds.min.y < bounds.max.y &&
+      bounds.min.z < bounds.max.z) {
+    check_start(values, swarm, bounds, findings);
+  }
+  return swarm;
+}
+
+}  // namespace
+
+std::vector<SwarmSpec> build_swarms(const Values& top, const Scenario& scenario, const FileRoots& roots,
+                                    Findings& findings) {
+  std::vector<SwarmSpec> swarms;
+  std::map<std::string, Place> places;
+  long long agents = 0;
+  for (const YamlNode& item : top.node("swarms")->items) {
+    const Values values = top.element("swarms", item);
+    swarms.push_back(build_swarm(values, scenario, roots, findings));
+    SwarmSpec& swarm = swarms.back();
+    swarm.place = item.mark.place();
+    const auto [first, is_new] = places.emplace(swarm.name, values.mark("name").place());
+    if (!is_new) {
+      findings.error(values.mark("name"), fmt::format("a second swarm '{}'", swarm.name),
+                     fmt::format("the first at {}:{}", first->second.line, first->second.column),
+                     "another name");
+    }
+    const bool was_over = agents > kMaxAgents;
+    agents += swarm.count;
+    if (agents > kMaxAgents && !was_over) {
+      findings.error(values.mark("count"), "the swarms have too many agents together",
+                     fmt::format("{} up to this one", agents), fmt::format("at most {}", kMaxAgents));
+    }
+  }
+  return swarms;
+}
+
+}  // namespace mayfly
