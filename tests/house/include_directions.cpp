@@ -4,7 +4,7 @@
 #include <array>
 #include <fstream>
 #include <map>
-#include <regex>
+#include <optional>
 #include <set>
 #include <string_view>
 
@@ -49,29 +49,63 @@ bool may_look(const std::string& from, const std::string& to) {
   return sees_everything(from) && (from == to || allowed().contains(to) || (from == "tests" && to == "app"));
 }
 
-void check_file(const std::filesystem::path& top, const std::filesystem::path& file, const std::string& room,
+struct Include {
+  std::string target;
+  bool quoted = false;
+};
+
+std::string_view skip_blanks(std::string_view text) {
+  const auto first = text.find_first_not_of(" \t");
+  return first == std::string_view::npos ? std::string_view{} : text.substr(first);
+}
+
+// `  #  include "a/b.hpp"` or `#include <a>`; nothing for any other line.
+std::optional<Include> parse_include(std::string_view line) {
+  constexpr std::string_view kWord = "include";
+  line = skip_blanks(line);
+  if (!line.starts_with('#')) {
+    return std::nullopt;
+  }
+  line = skip_blanks(line.substr(1));
+  if (!line.starts_with(kWord)) {
+    return std::nullopt;
+  }
+  line = skip_blanks(line.substr(kWord.size()));
+  if (!line.starts_with('"') && !line.starts_with('<')) {
+    return std::nullopt;
+  }
+  const bool quoted = line.front() == '"';
+  const auto end = line.find(quoted ? '"' : '>', 1);
+  return Include{std::string(line.substr(1, end - 1)), quoted};
+}
+
+// What is wrong with it; empty where nothing is.
+std::string fault(const std::filesystem::path& top, const std::string& room, const Include& include) {
+  const std::string to = include.target.substr(0, include.target.find('/'));
+  const bool ours = allowed().contains(to) || sees_everything(to);
+  if (!include.quoted && !(ours && std::filesystem::exists(top / include.target))) {
+    return {};  // a library's header
+  }
+  if (!include.quoted || !ours || include.target.find("..") != std::string::npos) {
+    return "'" + include.target + "' does not start at the top of the tree, in quotes, with a known folder";
+  }
+  if (!may_look(room, to)) {
+    return room + "/ may not look into " + to + "/ ('" + include.target + "')";
+  }
+  return {};
+}
+
+void check_file(const std::filesystem::path& top, const std::filesystem::path& file,
                 std::vector<std::string>& wrong) {
-  static const std::regex kPattern(R"(^\s*#\s*include\s*(["<])([^">]+)[">])");
+  const std::filesystem::path path = file.lexically_relative(top);
+  const std::string room = path.begin()->string();
   std::ifstream in(file);
   std::string text;
   for (int line = 1; std::getline(in, text); ++line) {
-    std::smatch match;
-    if (!std::regex_search(text, match, kPattern)) {
-      continue;
-    }
-    const std::string target = match[2];
-    const std::string to = target.substr(0, target.find('/'));
-    const bool quoted = match[1] == "\"";
-    const bool ours = allowed().contains(to) || sees_everything(to);
-    if (!quoted && !(ours && std::filesystem::exists(top / target))) {
-      continue;  // a library's header
-    }
-    const std::string place = file.lexically_relative(top).string() + ":" + std::to_string(line) + ": ";
-    if (!quoted || !ours || target.find("..") != std::string::npos) {
-      wrong.push_back(place + "'" + target +
-                      "' does not start at the top of the tree, in quotes, with a known folder");
-    } else if (!may_look(room, to)) {
-      wrong.push_back(place + room + "/ may not look into " + to + "/ ('" + target + "')");
+    const auto include = parse_include(text);
+    const std::string what = include ? fault(top, room, *include) : std::string();
+    if (!what.empty()) {
+      wrong.push_back(path.string() + ":" + std::to_string(line) + ": " + what);
     }
   }
 }
@@ -96,7 +130,7 @@ std::vector<std::string> wrong_includes(const std::filesystem::path& top) {
   }
   std::sort(files.begin(), files.end());
   for (const auto& file : files) {
-    check_file(top, file, file.lexically_relative(top).begin()->string(), wrong);
+    check_file(top, file, wrong);
   }
   return wrong;
 }
