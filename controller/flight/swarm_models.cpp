@@ -15,6 +15,8 @@ constexpr std::uint32_t kSettleStream = 0x5E771E00U;
 // as inside.
 constexpr float kShallowest = 0.3F;
 constexpr float kDeepest = 0.95F;
+// An agent slows down over the way that it cruises in this time, s, or over the goal's depth if that is less.
+constexpr float kSlowDown = 1.0F;
 
 std::uint32_t word(std::uint64_t seed, std::uint32_t swarm, std::uint32_t agent, std::uint32_t stream) {
   const r123::Philox4x32::ctr_type counter{{agent, 0, swarm, stream}};
@@ -66,8 +68,19 @@ float separation_with_rounding(const Scenario& scenario, float separation) {
   return separation > 0.0F ? separation + 8.0F * (std::nextafter(farthest, INFINITY) - farthest) : 0.0F;
 }
 
+// The deepest place of the goal, m from its surface: the guide holds minus the depth there.
+float goal_depth(const fields::CostField& cost) {
+  float least = 0.0F;
+  for (std::size_t cell = 0; cell < cost.kind.size(); ++cell) {
+    if (cost.kind[cell] == fields::CellKind::kReached) {
+      least = std::min(least, cost.guide[4 * cell + 3]);
+    }
+  }
+  return -least;
+}
+
 kernels::MfField kernel_field(const Scenario& scenario, const SwarmSpec& swarm, const World& world,
-                              float goal_depth, std::uint32_t noise_seed) {
+                              float depth, std::uint32_t noise_seed) {
   kernels::MfField field{};
   field.grid = kernel_grid(world.grid);
   field.noise = kernel_noise(swarm.noise, noise_seed);
@@ -75,7 +88,7 @@ kernels::MfField kernel_field(const Scenario& scenario, const SwarmSpec& swarm, 
   field.has_walls = world.solid.empty() ? 0 : 1;
   field.boundary = swarm.boundary.value_or(world.grid.cell);
   field.cruise_speed = swarm.cruise_speed;
-  field.slow_down = std::max(std::min(swarm.cruise_speed * 1.0F, goal_depth), 1e-3F);
+  field.slow_down = std::max(std::min(swarm.cruise_speed * kSlowDown, depth), 1e-3F);
   field.radius = swarm.radius;
   field.approach_rate = approach_rate(scenario, swarm);
   field.wall_reach =
@@ -91,16 +104,16 @@ SwarmModels make_swarm_models(const Scenario& scenario, const World& world) {
   for (std::uint32_t s = 0; s < scenario.swarms.size(); ++s) {
     const SwarmSpec& spec = scenario.swarms[s];
     const fields::CostField& cost = *world.costs[s];
+    const float depth = goal_depth(cost);
     std::vector<float>& settle = models.settle.emplace_back();
     for (std::uint32_t agent = 0; agent < static_cast<std::uint32_t>(spec.count); ++agent) {
       const float share = static_cast<float>(word(scenario.seed, s, agent, kSettleStream) >> 8U) * 0x1p-24F;
-      settle.push_back(cost.goal_depth() * (kShallowest + share * (kDeepest - kShallowest)));
+      settle.push_back(depth * (kShallowest + share * (kDeepest - kShallowest)));
     }
     SwarmModel model;
     model.first = first;
     model.count = static_cast<std::size_t>(spec.count);
-    model.field =
-        kernel_field(scenario, spec, world, cost.goal_depth(), word(scenario.seed, s, 0, kNoiseStream));
+    model.field = kernel_field(scenario, spec, world, depth, word(scenario.seed, s, 0, kNoiseStream));
     model.distance = world.distance.distance;
     model.guide = cost.guide;
     model.separation = separation_with_rounding(scenario, spec.limits.separation);

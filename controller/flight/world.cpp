@@ -21,13 +21,9 @@ double seconds_since(SteadyClock::time_point start) {
 // What distinguishes one cost field from another in the same world.
 using CostIdentity = std::tuple<std::string, float, float, float, float>;
 
-fields::CostParams cost_params(const SwarmSpec& swarm, float cell) {
-  fields::CostParams params;
-  params.length_weight = swarm.cost.length_weight;
-  params.repulsion_weight = swarm.cost.repulsion_weight;
-  params.influence = swarm.cost.influence;
-  params.clearance = fields::passable_clearance(swarm.radius, cell);
-  return params;
+fields::CostParams cost_params(const SwarmSpec& swarm) {
+  return {swarm.cost.length_weight, swarm.cost.repulsion_weight, swarm.cost.influence.value_or(0.0F),
+          swarm.radius};
 }
 
 // The scenario's world while it is being built: what is known so far, and what went wrong.
@@ -109,9 +105,9 @@ class Builder {
     std::map<CostIdentity, std::shared_ptr<const fields::CostField>> known;
     timing_.cost_cached = true;
     for (const SwarmSpec& swarm : scenario_.swarms) {
-      const fields::CostParams params = cost_params(swarm, scenario_.world.cell);
-      const CostIdentity identity{swarm.goal, params.length_weight, params.repulsion_weight,
-                                  params.influence.value_or(-1.0F), params.clearance};
+      const fields::CostParams params = cost_params(swarm);
+      const CostIdentity identity{swarm.goal, params.length_weight, params.repulsion_weight, params.influence,
+                                  params.clearance};
       auto& cost = known[identity];
       if (!cost) {
         cost = make_cost(world, swarm, params);
@@ -125,8 +121,7 @@ class Builder {
     const auto start = SteadyClock::now();
     const auto goal = std::find_if(scenario_.world.goals.begin(), scenario_.world.goals.end(),
                                    [&](const GoalSpec& g) { return g.name == swarm.goal; });
-    const auto& region = world.goals[static_cast<std::size_t>(goal - scenario_.world.goals.begin())];
-    auto field = load_or_solve(world, region, params);
+    auto field = load_or_solve(world, *goal, params);
     timing_.cost += seconds_since(start);
     if (!field) {
       Error error = std::move(field.error());
@@ -137,32 +132,29 @@ class Builder {
       errors_.push_back(std::move(error));
       return nullptr;
     }
-    if (field->unreachable > 0) {
+    if (std::string text = fields::describe_unreachable(*field, swarm.goal); !text.empty()) {
       Error warning;
-      warning.message =
-          std::to_string(field->unreachable) + " free cells cannot reach goal '" + swarm.goal + "'";
+      warning.message = std::move(text);
       warning.place = goal->place;
       world.warnings.push_back(std::move(warning));
     }
     return std::make_shared<const fields::CostField>(std::move(*field));
   }
 
-  Result<fields::CostField> load_or_solve(const World& world, const fields::Geometry& region,
+  Result<fields::CostField> load_or_solve(const World& world, const GoalSpec& goal,
                                           const fields::CostParams& params) {
-    const std::string key = fields::cost_key(world.solid, region, world.grid, params);
-    if (auto kept = cache_.load(key, fields::CostField::serial_size(world.grid))) {
-      if (auto field = fields::CostField::from_serial(world.grid, std::move(*kept))) {
-        return std::move(*field);
-      }
+    auto region = fields::build_goal_distance({goal.shape, goal.place}, world.grid, threads_, progress_);
+    if (!region) {
+      return fail(std::move(region.error()));
+    }
+    const std::string key = fields::cost_key(world.distance, *region, params);
+    if (auto kept = cache_.load(key, 4 * world.grid.size())) {
+      return fields::restore_cost_field(world.distance, params, std::move(*kept));
     }
     timing_.cost_cached = false;
-    auto goal = fields::goal_distance(region, world.distance, threads_);
-    if (!goal) {
-      return fail(std::move(goal.error()));
-    }
-    auto field = fields::build_cost_field(world.distance, *goal, params, threads_, progress_);
+    auto field = fields::build_cost_field(world.distance, *region, params, threads_, progress_);
     if (field) {
-      cache_.store(key, field->serial());
+      cache_.store(key, field->guide);
     }
     return field;
   }
