@@ -2,7 +2,7 @@
 #pragma once
 
 #include <atomic>
-#include <memory>
+#include <cstdint>
 #include <span>
 #include <string>
 
@@ -26,6 +26,12 @@ class GroundTruth {
  public:
   virtual ~GroundTruth() = default;
   virtual void truth(const StateColumns& columns) const noexcept = 0;
+};
+
+// How far a flight is, for whoever shows it; written by the control thread, read by any.
+struct FlightGauge {
+  std::atomic<Time::rep> flown_ns{0};
+  std::atomic<std::uint64_t> faults{0};
 };
 
 struct FlightParts {

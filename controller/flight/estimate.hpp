@@ -1,0 +1,77 @@
+// What is known of every robot: the newest sample that made sense, and how old it is.
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "core/hal.hpp"
+
+namespace mayfly {
+
+class Estimate {
+ public:
+  explicit Estimate(std::size_t agents)
+      : sample_(agents),
+        x(agents),
+        y(agents),
+        z(agents),
+        vx(agents),
+        vy(agents),
+        vz(agents),
+        stamp(agents),
+        valid(agents) {}
+
+  // Where the HAL writes this tick's samples.
+  StateColumns inbox() {
+    return {sample_.x,  sample_.y,  sample_.z,     sample_.vx,
+            sample_.vy, sample_.vz, sample_.stamp, sample_.valid};
+  }
+
+  // Takes the samples over. One that is not valid or not a number is dropped, and the robot keeps its last
+  // state with its old stamp: whoever flies by it sees its age.
+  void update() noexcept {
+    for (std::size_t a = 0; a < x.size(); ++a) {
+      if (sample_.valid[a] == 0) {
+        continue;
+      }
+      const bool finite = std::isfinite(sample_.x[a]) && std::isfinite(sample_.y[a]) &&
+                          std::isfinite(sample_.z[a]) && std::isfinite(sample_.vx[a]) &&
+                          std::isfinite(sample_.vy[a]) && std::isfinite(sample_.vz[a]);
+      if (!finite) {
+        ++not_finite_;
+        continue;
+      }
+      x[a] = sample_.x[a];
+      y[a] = sample_.y[a];
+      z[a] = sample_.z[a];
+      vx[a] = sample_.vx[a];
+      vy[a] = sample_.vy[a];
+      vz[a] = sample_.vz[a];
+      stamp[a] = sample_.stamp[a];
+      valid[a] = 1;
+    }
+  }
+
+  // Samples that claimed to be valid and held a NaN or an infinity.
+  std::uint64_t not_finite() const { return not_finite_; }
+
+ private:
+  struct Sample {
+    explicit Sample(std::size_t n) : x(n), y(n), z(n), vx(n), vy(n), vz(n), stamp(n), valid(n) {}
+    std::vector<float> x, y, z, vx, vy, vz;
+    std::vector<Time> stamp;
+    std::vector<std::uint8_t> valid;
+  };
+  Sample sample_;
+  std::uint64_t not_finite_ = 0;
+
+ public:
+  // One element an agent; m, m/s, world frame. valid: 0 until the first good sample.
+  std::vector<float> x, y, z, vx, vy, vz;
+  std::vector<Time> stamp;
+  std::vector<std::uint8_t> valid;
+};
+
+}  // namespace mayfly

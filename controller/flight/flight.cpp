@@ -1,0 +1,269 @@
+#include "controller/flight/flight.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "controller/executor/executor.hpp"
+#include "controller/flight/estimate.hpp"
+#include "controller/flight/expectations.hpp"
+#include "controller/flight/fault_log.hpp"
+#include "controller/governor/governor.hpp"
+#include "controller/metrics/metrics.hpp"
+
+namespace mayfly {
+namespace {
+
+// After Ctrl-C the swarm holds until it stands still, but no longer than this.
+constexpr double kMostHoldSeconds = 2.0;
+constexpr float kStandingStill = 0.05F;  // m/s
+// A command is good for this many control periods: long enough for one late tick, short enough to stop soon
+// after the last.
+constexpr int kCommandPeriods = 5;
+// A state older than this many control periods, or than this time, whichever is longer, counts as stale.
+constexpr int kStatePeriods = 5;
+constexpr double kStateSeconds = 0.1;
+
+struct Columns3 {
+  explicit Columns3(std::size_t n) : x(n), y(n), z(n) {}
+  VelocityColumns writable() { return {x, y, z}; }
+  std::vector<float> x, y, z;
+};
+
+GovernorConfig governor_config(const Scenario& scenario, const World& world) {
+  GovernorConfig config;
+  config.period = from_seconds(1.0 / static_cast<double>(scenario.control.rate));
+  config.max_state_age = std::max(kStatePeriods * config.period, from_seconds(kStateSeconds));
+  config.fence = scenario.world.bounds;
+  if (!world.solid.empty()) {
+    config.obstacles.sampled = {world.distance.distance.data(), world.grid};
+    config.obstacles.exact = [&solid = world.solid](glm::vec3 p) { return solid.signed_distance(p); };
+  }
+  std::size_t first = 0;
+  for (const SwarmSpec& swarm : scenario.swarms) {
+    GovernorGroup group;
+    group.first = first;
+    group.count = static_cast<std::size_t>(swarm.count);
+    group.enabled = swarm.governor;
+    group.limits.speed = swarm.limits.speed;
+    group.limits.acceleration = swarm.limits.acceleration;
+    group.limits.braking = swarm.limits.acceleration;
+    group.limits.radius = swarm.radius;
+    for (const HalSpec& hal : scenario.hals) {
+      if (hal.name == swarm.robots && hal.sim.plant == PlantKind::kVelocityLag) {
+        group.limits.response_time = hal.sim.time_constant;
+      }
+    }
+    config.groups.push_back(group);
+    first += group.count;
+  }
+  return config;
+}
+
+// One flight's state: columns taken at the start, and what a tick does with them.
+class Flight {
+ public:
+  Flight(const FlightParts& parts, Governor governor, FlightMetrics metrics)
+      : parts_(parts),
+        agents_(parts.hal.robots().size()),
+        period_(from_seconds(1.0 / static_cast<double>(parts.scenario.control.rate))),
+        governor_(std::move(governor)),
+        metrics_(std::move(metrics)),
+        estimate_(agents_),
+        truth_(agents_),
+        desired_(agents_),
+        command_(agents_),
+        kind_(agents_, CommandKind::kHold) {}
+
+  void tick(const TickInfo& info) noexcept {
+    const auto work_began = std::chrono::steady_clock::now();
+    const Time now = parts_.clock.now();
+    if (ticks_ == 0) {
+      began_ = now;
+    }
+    faults_.note(hal_source_, now, parts_.hal.read(now, estimate_.inbox()));
+    estimate_.update();
+    observe_truth();
+    decide(now);
+    write(now);
+    show(now);
+    end_if_asked(now);
+    ++ticks_;
+    flown_ = now - began_ + period_;
+    work_ += std::chrono::steady_clock::now() - work_began;
+    static_cast<void>(info);
+  }
+
+  const std::atomic<bool>& finished() const { return finished_; }
+  bool stopped_by_user() const { return stop_level() > 0; }
+
+  Summary summarise(const Executor& executor, double wall_s) const;
+
+ private:
+  int stop_level() const { return parts_.stop == nullptr ? 0 : parts_.stop->load(std::memory_order_relaxed); }
+
+  // The true state where a simulation knows it, else the estimate: what metrics and observers see.
+  void observe_truth() noexcept {
+    if (parts_.truth != nullptr) {
+      parts_.truth->truth(truth_.inbox());
+      truth_.update();
+    }
+    const Estimate& seen = parts_.truth != nullptr ? truth_ : estimate_;
+    metrics_.update({seen.x, seen.y, seen.z, seen.vx, seen.vy, seen.vz});
+  }
+
+  void decide(Time now) noexcept {
+    const auto period_s = static_cast<float>(to_seconds(period_));
+    moved_ += parts_.engine.compute({estimate_.x, estimate_.y, estimate_.z}, period_s, desired_.writable());
+    const std::string_view fault = parts_.engine.fault();
+    faults_.note(
+        engine_source_, now,
+        {fault.empty() ? HalFault::kNone : HalFault::kLinkDown, kEveryRobot, parts_.engine.name(), fault});
+    governor_.govern(now,
+                     {estimate_.x, estimate_.y, estimate_.z, estimate_.vx, estimate_.vy, estimate_.vz,
+                      estimate_.stamp, estimate_.valid},
+                     {desired_.x, desired_.y, desired_.z}, {kind_, command_.x, command_.y, command_.z});
+    if (stop_level() > 0) {
+      std::fill(kind_.begin(), kind_.end(), stop_level() > 1 ? CommandKind::kStop : CommandKind::kHold);
+    }
+  }
+
+  void write(Time now) noexcept {
+    const CommandColumns commands{
+        kind_, command_.x, command_.y, command_.z, now + kCommandPeriods * period_, ++sequence_};
+    faults_.note(write_source_, now, parts_.hal.write(now, commands));
+  }
+
+  void show(Time now) noexcept {
+    const Estimate& seen = parts_.truth != nullptr ? truth_ : estimate_;
+    const TickView view{ticks_,  now,        seen.x,     seen.y,     seen.z, seen.vx,        seen.vy,
+                        seen.vz, command_.x, command_.y, command_.z, kind_,  estimate_.valid};
+    for (Observer* observer : parts_.observers) {
+      observer->on_tick(view);
+    }
+    if (parts_.gauge != nullptr) {
+      parts_.gauge->flown_ns.store((now - began_ + period_).count(), std::memory_order_relaxed);
+      parts_.gauge->faults.store(faults_.count(), std::memory_order_relaxed);
+    }
+  }
+
+  // Asked to stop, the swarm holds until it stands still; asked twice, it has just been told to stop, and
+  // that is all.
+  void end_if_asked(Time now) noexcept {
+    const int level = stop_level();
+    if (level == 0) {
+      return;
+    }
+    if (stop_began_ == Time::min()) {
+      stop_began_ = now;
+    }
+    const Estimate& seen = parts_.truth != nullptr ? truth_ : estimate_;
+    bool still = true;
+    for (std::size_t a = 0; a < agents_ && still; ++a) {
+      still = seen.vx[a] * seen.vx[a] + seen.vy[a] * seen.vy[a] + seen.vz[a] * seen.vz[a] <
+              kStandingStill * kStandingStill;
+    }
+    if (level > 1 || still || now - stop_began_ > from_seconds(kMostHoldSeconds)) {
+      finished_.store(true, std::memory_order_relaxed);
+    }
+  }
+
+  const FlightParts& parts_;
+  std::size_t agents_;
+  Time period_;
+  Governor governor_;
+  FlightMetrics metrics_;
+  Estimate estimate_;
+  Estimate truth_;
+  Columns3 desired_;
+  Columns3 command_;
+  std::vector<CommandKind> kind_;
+  FaultLog faults_;
+  FaultLog::Source hal_source_, write_source_, engine_source_;
+  std::uint64_t sequence_ = 0;
+  std::uint64_t ticks_ = 0;
+  std::uint64_t moved_ = 0;  // agent-ticks in which MDE moved somebody
+  Time began_{0};
+  Time flown_{0};
+  Time stop_began_ = Time::min();
+  std::chrono::steady_clock::duration work_{0};
+  std::atomic<bool> finished_{false};
+};
+
+LatencySummary told(const std::optional<Percentiles>& p) {
+  return p ? LatencySummary{p->p50, p->p99, p->p999, p->max} : LatencySummary{};
+}
+
+bool has_mde(const Scenario& scenario) {
+  return std::any_of(scenario.swarms.begin(), scenario.swarms.end(), [](const SwarmSpec& swarm) {
+    return swarm.mde_sweeps > 0 && swarm.limits.separation > 0;
+  });
+}
+
+Summary Flight::summarise(const Executor& executor, double wall_s) const {
+  const Scenario& scenario = parts_.scenario;
+  Summary s;
+  s.scenario = scenario.name;
+  s.engine = parts_.engine.name();
+  s.hal = parts_.hal.name();
+  s.seed = scenario.seed;
+  s.agents = agents_;
+  s.ticks = ticks_;
+  s.simulated_s = to_seconds(flown_);
+  s.wall_s = wall_s;
+  s.realtime_factor = wall_s > 0 ? s.simulated_s / wall_s : 0;
+  const double agent_ticks = static_cast<double>(agents_) * static_cast<double>(ticks_);
+  if (agent_ticks > 0) {
+    s.ns_per_agent_tick = std::chrono::duration<double, std::nano>(work_).count() / agent_ticks;
+    if (has_mde(scenario)) {
+      s.mde_percent = 100.0 * static_cast<double>(moved_) / agent_ticks;
+    }
+  }
+  metrics_.tell(s);
+  s.governor_interventions = governor_.counters().interventions;
+  s.faults = faults_.told(parts_.hal.robots());
+  const TaskStats control = executor.stats().front();
+  s.control = {control.rate_hz,           control.ticks,        control.missed,
+               control.missed_by_machine, told(control.jitter), told(control.run)};
+  s.preprocessing_s = parts_.world.preprocessing;
+  s.stopped_by_user = stopped_by_user();
+  s.expect = hold_expectations(scenario.expect, s,
+                               [&](const std::string& swarm) { return metrics_.reached(swarm); });
+  return s;
+}
+
+}  // namespace
+
+Result<Summary> fly(const FlightParts& parts) {
+  auto governor = Governor::make(governor_config(parts.scenario, parts.world));
+  if (!governor) {
+    return fail(std::move(governor.error()));
+  }
+  if (auto configured = parts.hal.configure(); !configured) {
+    return fail(std::move(configured.error()));
+  }
+  if (parts.hal.robots().size() != governor->agents()) {
+    return fail(Cause::kDevice, "the HAL has " + std::to_string(parts.hal.robots().size()) +
+                                    " robots, the scenario " + std::to_string(governor->agents()) +
+                                    " agents");
+  }
+  Flight flight(parts, std::move(*governor), FlightMetrics(parts.scenario, parts.world));
+  Executor executor(parts.clock);
+  auto added = executor.add_task("control", static_cast<double>(parts.scenario.control.rate),
+                                 [&flight](const TickInfo& info) noexcept { flight.tick(info); });
+  if (!added) {
+    return fail(std::move(added.error()));
+  }
+  const auto start = std::chrono::steady_clock::now();
+  if (auto activated = parts.hal.activate(parts.clock.now()); !activated) {
+    return fail(std::move(activated.error()));
+  }
+  executor.run(from_seconds(parts.scenario.duration), flight.finished());
+  const double wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  auto deactivated = parts.hal.deactivate(parts.clock.now());
+  if (!deactivated) {
+    return fail(std::move(deactivated.error()));
+  }
+  return flight.summarise(executor, wall_s);
+}
+
+}  // namespace mayfly
