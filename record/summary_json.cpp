@@ -1,0 +1,94 @@
+#include "record/summary_json.hpp"
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+namespace mayfly::record {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json number(double value) {
+  return std::isfinite(value) ? Json(value) : Json();
+}
+Json number(const std::optional<double>& value) {
+  return value ? number(*value) : Json();
+}
+Json number(const std::optional<std::uint64_t>& value) {
+  return value ? Json(*value) : Json();
+}
+
+Json latency(const LatencySummary& latency) {
+  return {{"p50", number(latency.p50)},
+          {"p99", number(latency.p99)},
+          {"p999", number(latency.p999)},
+          {"max", number(latency.max)}};
+}
+
+Json control(const ControlSummary& control) {
+  return {{"rate_hz", number(control.rate_hz)},
+          {"ticks", control.ticks},
+          {"missed", control.missed},
+          {"missed_by_machine", control.missed_by_machine},
+          {"jitter_us", latency(control.jitter_us)},
+          {"run_us", latency(control.run_us)}};
+}
+
+Json faults(const std::vector<FaultEvent>& events) {
+  auto list = Json::array();
+  for (const FaultEvent& event : events) {
+    list.push_back(Json{{"time_s", number(event.time_s)},
+                        {"robot", event.robot},
+                        {"link", event.link},
+                        {"cause", event.cause}});
+  }
+  return list;
+}
+
+Json expectations(const std::vector<ExpectationResult>& results) {
+  auto list = Json::array();
+  for (const ExpectationResult& result : results) {
+    list.push_back(Json{{"name", result.name},
+                        {"value", number(result.value)},
+                        {"wanted", result.wanted},
+                        {"pass", result.pass}});
+  }
+  return list;
+}
+
+}  // namespace
+
+std::string to_json(const Summary& s) {
+  const Json document{
+      {"scenario", s.scenario},
+      {"engine", s.engine},
+      {"hal", s.hal},
+      {"seed", s.seed},
+      {"agents", s.agents},
+      {"ticks", s.ticks},
+      {"simulated_s", number(s.simulated_s)},
+      {"wall_s", number(s.wall_s)},
+      {"realtime_factor", number(s.realtime_factor)},
+      {"ns_per_agent_tick", number(s.ns_per_agent_tick)},
+      {"reached_fraction", number(s.reached_fraction)},
+      {"min_separation_m", number(s.min_separation_m)},
+      {"collisions", number(s.collisions)},
+      {"penetrations", number(s.penetrations)},
+      {"mde_percent", number(s.mde_percent)},
+      {"infeasible_agents", number(s.infeasible_agents)},
+      {"governor_interventions", s.governor_interventions},
+      {"faults", faults(s.faults)},
+      {"max_speed_mps", number(s.max_speed_mps)},
+      {"max_acceleration_mps2", number(s.max_acceleration_mps2)},
+      {"control", control(s.control)},
+      {"preprocessing_s",
+       {{"distance", number(s.preprocessing_s.distance)},
+        {"noise", number(s.preprocessing_s.noise)},
+        {"cost", number(s.preprocessing_s.cost)}}},
+      {"expect", expectations(s.expect)},
+  };
+  // Names come from files: what is not UTF-8 in them is replaced rather than thrown about.
+  return document.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace mayfly::record
