@@ -5,14 +5,14 @@
 // their end.
 __kernel void field_velocity(__global const float* x, __global const float* y, __global const float* z,
                              __global const float* settle, __global float* vx, __global float* vy, __global float* vz,
-                             const int first, const int count, const MfField field, __global const float* distance,
+                             const int first, const int count, const MfField field, __global const float* walls,
                              __global const float* guide, __global const int* table) {
   const int local_first = (int)get_global_id(0) * MF_LANES;
   if (local_first >= count) return;
   const int a = first + local_first;
   const int lanes = min(MF_LANES, count - local_first);
   const F3 r = mf3(mf_load(x + a), mf_load(y + a), mf_load(z + a));
-  const F3 v = mf_field_velocity(r, mf_load(settle + local_first), &field, distance, guide, table);
+  const F3 v = mf_field_velocity(r, mf_load(settle + local_first), &field, walls, guide, table);
   if (lanes == MF_LANES) {
     mf_store(vx + a, v.x);
     mf_store(vy + a, v.y);

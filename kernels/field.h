@@ -1,4 +1,4 @@
-// The field model: V(x) = curl noise + global velocity down the cost field, kept off walls (Wang14 §6,
+// The field model: V(x) = curl noise + guided velocity down the cost field, kept off walls (Wang14 §6,
 // model.md §4).
 #ifndef MAYFLY_KERNELS_FIELD_H
 #define MAYFLY_KERNELS_FIELD_H
@@ -43,32 +43,33 @@ MF_FN F3 mf_guard_wall(F3 v, const MfSurface* s, const MfField* field) {
 }
 
 // The guard alone, for velocities that were changed after the model gave them.
-MF_FN F3 mf_field_guard(F3 r, F3 v, const MfField* field, const MF_GLOBAL float* distance) {
+MF_FN F3 mf_field_guard(F3 r, F3 v, const MfField* field, const MF_GLOBAL float* walls) {
   const MfCube cube = mf_cube(r, &field->grid);
-  const I near_wall = mf_sample(distance, &cube, 1, 0) < mf_splat(field->wall_reach);
+  const I near_wall = mf_sample(walls, &cube, 1, 0) < mf_splat(field->wall_reach);
   if (!mf_any(near_wall)) return v;
-  const MfSurface surface = mf_surface(r, distance, &field->grid);
+  const MfSurface surface = mf_surface(r, walls, &field->grid);
   return mf3_select(near_wall, mf_guard_wall(v, &surface, field), v);
 }
 
-// The preferred velocity of eight agents at r (m). distance: signed distance φ (m), guide: 4 floats a cell,
-// both on field->grid; table: Perlin's permutation.
-MF_FN F3 mf_field_velocity(F3 r, F settle, const MfField* field, const MF_GLOBAL float* distance,
+// The preferred velocity of eight agents at r (m). walls: spline coefficients of φ (m), guide: 4 floats a
+// cell, both on field->grid; table: Perlin's permutation. The coefficients themselves, interpolated, tell
+// well enough whether a wall is anywhere near.
+MF_FN F3 mf_field_velocity(F3 r, F settle, const MfField* field, const MF_GLOBAL float* walls,
                            const MF_GLOBAL float* guide, const MF_GLOBAL int* table) {
   const MfCube cube = mf_cube(r, &field->grid);
-  const F3 global = mf_global_velocity(&cube, settle, guide, field);
+  const F3 guided = mf_global_velocity(&cube, settle, guide, field);
   F3 noise = mf3_splat(0.0f, 0.0f, 0.0f);
   if (field->has_noise) noise = mf_curl_noise(r, &field->noise, table);
-  F3 v = mf3_add(noise, global);
+  F3 v = mf3_add(noise, guided);
   if (!field->has_walls) return v;
-  const I near_wall = mf_sample(distance, &cube, 1, 0) < mf_splat(field->wall_reach);
+  const I near_wall = mf_sample(walls, &cube, 1, 0) < mf_splat(field->wall_reach);
   if (!mf_any(near_wall)) return v;
-  const MfSurface surface = mf_surface(r, distance, &field->grid);
+  const MfSurface surface = mf_surface(r, walls, &field->grid);
   if (field->has_noise) {
     const MfJet potential = mf_potential(r, &field->noise, table);
     noise = mf_bounded_curl(&potential, &surface, field->boundary);
   }
-  return mf3_select(near_wall, mf_guard_wall(mf3_add(noise, global), &surface, field), v);
+  return mf3_select(near_wall, mf_guard_wall(mf3_add(noise, guided), &surface, field), v);
 }
 
 MF_END

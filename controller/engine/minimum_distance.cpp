@@ -35,7 +35,7 @@ void guard_lanes(const SwarmModel& swarm, const PositionColumns& at, const Veloc
       kernels::mf3(kernels::mf_load(column[0]), kernels::mf_load(column[1]), kernels::mf_load(column[2]));
   const F3 v =
       kernels::mf3(kernels::mf_load(column[3]), kernels::mf_load(column[4]), kernels::mf_load(column[5]));
-  const F3 safe = kernels::mf_field_guard(r, v, &swarm.field, swarm.distance.data());
+  const F3 safe = kernels::mf_field_guard(r, v, &swarm.field, swarm.walls.data());
   for (std::size_t k = 0; k < lanes; ++k) {
     if (moved[a + k] != 0) {
       velocity.x[a + k] = safe.x[k];

@@ -65,7 +65,7 @@ class NativeEngine final : public Engine, private DisplacementSweep {
     const std::size_t lanes = std::min<std::size_t>(MF_LANES, swarm.count - local);
     const F3 r = load3(at.x, at.y, at.z, a, lanes);
     const F3 v = kernels::mf_field_velocity(r, load1(swarm.settle, local, lanes), &swarm.field,
-                                            swarm.distance.data(), swarm.guide.data(), kPermutation.data());
+                                            swarm.walls.data(), swarm.guide.data(), kPermutation.data());
     const int stored = static_cast<int>(lanes);
     kernels::mf_store_first(&out.x[a], v.x, stored);
     kernels::mf_store_first(&out.y[a], v.y, stored);

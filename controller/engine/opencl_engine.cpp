@@ -81,14 +81,14 @@ struct Columns3 {
 
 // A swarm's own tables on the device.
 struct SwarmTables {
-  Buffer<float> distance, guide, settle;
+  Buffer<float> walls, guide, settle;
 };
 
 Result<SwarmTables> upload_tables(const Device& device, const SwarmModel& swarm) {
-  auto distance = Buffer<float>::create_from(device, swarm.distance);
+  auto walls = Buffer<float>::create_from(device, swarm.walls);
   auto guide = Buffer<float>::create_from(device, swarm.guide);
   auto settle = Buffer<float>::create(device, swarm.settle.size() + MF_LANES);
-  for (auto* buffer : {&distance, &guide, &settle}) {
+  for (auto* buffer : {&walls, &guide, &settle}) {
     if (!*buffer) {
       return fail(std::move(buffer->error()));
     }
@@ -97,7 +97,7 @@ Result<SwarmTables> upload_tables(const Device& device, const SwarmModel& swarm)
   if (const Status status = settle->unmap(); !status.ok()) {
     return fail(Cause::kEnvironment, "OpenCL buffer: " + std::string(compute::name_of(status)));
   }
-  return SwarmTables{std::move(*distance), std::move(*guide), std::move(*settle)};
+  return SwarmTables{std::move(*walls), std::move(*guide), std::move(*settle)};
 }
 
 // What exists once the agents are known.
@@ -195,7 +195,7 @@ class OpenclEngine final : public Engine, private DisplacementSweep {
       const Status set =
           velocity_.set(f.at.x, f.at.y, f.at.z, tables.settle, f.velocity.x, f.velocity.y, f.velocity.z,
                         static_cast<int>(swarm.first), static_cast<int>(swarm.count), swarm.field,
-                        tables.distance, tables.guide, f.permutation);
+                        tables.walls, tables.guide, f.permutation);
       if (!set.ok()) {
         return set;
       }

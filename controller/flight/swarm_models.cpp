@@ -114,7 +114,7 @@ SwarmModels make_swarm_models(const Scenario& scenario, const World& world) {
     model.first = first;
     model.count = static_cast<std::size_t>(spec.count);
     model.field = kernel_field(scenario, spec, world, depth, word(scenario.seed, s, 0, kNoiseStream));
-    model.distance = world.distance.distance;
+    model.walls = world.walls;
     model.guide = cost.guide;
     model.separation = separation_with_rounding(scenario, spec.limits.separation);
     model.mde_sweeps = spec.mde_sweeps;

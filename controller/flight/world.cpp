@@ -8,6 +8,7 @@
 #include "fields/cache.hpp"
 #include "fields/goal.hpp"
 #include "fields/make_grid.hpp"
+#include "fields/spline.hpp"
 
 namespace mayfly {
 namespace {
@@ -46,7 +47,9 @@ class Builder {
     if (!distance) {
       return tl::unexpected(std::vector<Error>{std::move(distance.error())});
     }
-    World world{*grid, std::move(*solid), std::move(*distance), std::move(goals), {}, timing_, {}};
+    std::vector<float> walls = fields::spline_coefficients(*grid, distance->distance);
+    World world{*grid, std::move(*solid), std::move(*distance), std::move(walls), std::move(goals), {}, {},
+                {}};
     make_costs(world);
     world.preprocessing = timing_;
     if (!errors_.empty()) {

@@ -18,6 +18,7 @@ struct World {
   Grid grid;
   fields::Geometry solid;  // exact
   fields::DistanceField distance;
+  std::vector<float> walls;             // spline coefficients of the distance, for the kernels
   std::vector<fields::Geometry> goals;  // exact, one a goal of the scenario, in its order
   // One a swarm, in the scenario's order; swarms with the same goal and weights share one.
   std::vector<std::shared_ptr<const fields::CostField>> costs;

@@ -161,9 +161,8 @@ glm::dvec3 Governor::limit(const Group& group, glm::dvec3 reference, glm::dvec3 
   const double size = glm::length(change);
   if (size > group.change_limit + slack) {
     decision.add(GovernorReason::kAcceleration);
-    return reference + change * (group.change_limit / size);
   }
-  return wanted;
+  return size > group.change_limit ? reference + change * (group.change_limit / size) : wanted;
 }
 
 // All that is tried lies between two velocities that keep both limits, and both limits are balls: so does

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "controller/engine/engine.hpp"
+#include "fields/spline.hpp"
 
 namespace mayfly::test {
 
@@ -19,7 +20,7 @@ struct Columns {
 
 struct SmallWorld {
   static constexpr int kCells = 24;  // of 1 m, from the origin
-  std::vector<float> distance, guide, settle;
+  std::vector<float> walls, guide, settle;
   std::vector<SwarmModel> swarms;
 
   // `agents` in two swarms of unequal size, so that a swarm's end falls within eight lanes.
@@ -30,11 +31,12 @@ struct SmallWorld {
           const float dx = static_cast<float>(i) + 0.5F - 12;
           const float dy = static_cast<float>(j) + 0.5F - 12;
           const float dz = static_cast<float>(k) + 0.5F - 12;
-          distance.push_back(std::sqrt(dx * dx + dy * dy + dz * dz) - 3.0F);
+          walls.push_back(std::sqrt(dx * dx + dy * dy + dz * dz) - 3.0F);
           guide.insert(guide.end(), {1.0F, 0.1F * dy / 12, 0.0F, 22.0F - static_cast<float>(i)});
         }
       }
     }
+    walls = fields::spline_coefficients({{0, 0, 0}, 1, {kCells, kCells, kCells}}, walls);
     const std::size_t first = agents / 3;
     swarms.push_back(swarm(0, first, 7, separation, noise));
     swarms.push_back(swarm(first, agents - first, 8, separation, noise));
@@ -45,7 +47,7 @@ struct SmallWorld {
     SwarmModel model;
     model.first = first;
     model.count = count;
-    model.distance = distance;
+    model.walls = walls;
     model.guide = guide;
     model.settle = std::span<const float>(settle).subspan(first, count);
     model.separation = separation;
