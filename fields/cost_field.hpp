@@ -1,0 +1,77 @@
+// The minimum-cost field of one goal, and the guide that agents fly by (Wang14 §5.2, Eqs. 4, 7, 8; model.md
+// §3).
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/grid.hpp"
+#include "core/progress.hpp"
+#include "core/result.hpp"
+#include "fields/distance_field.hpp"
+#include "fields/goal.hpp"
+
+namespace mayfly::fields {
+
+// The cost of a path is A · length + B · ∫g ds, g = h(φ/influence) with h the bell of Wang14 Eq. 6.
+struct CostParams {
+  float length_weight = 0.6F;     // A, > 0
+  float repulsion_weight = 0.4F;  // B, ≥ 0
+  float influence = 0.0F;         // m; 0 means 2√2 cells, Wang14's 2a
+  float clearance = 0.0F;         // m, the body's radius: an agent's centre comes no nearer to an obstacle
+};
+
+enum class CellKind : std::uint8_t { kReached, kUnreachable, kBlocked };
+
+// What stands in the guide for "no path": large, yet finite, because the guide is interpolated.
+inline constexpr float kUnreachableGuide = 1e9F;
+
+struct CostField {
+  Grid grid;
+  // Four floats a cell: a direction (x, y, z) and C/A in m. To be interpolated trilinearly between cell
+  // centres, then normalised. In a reached cell the direction is −∇C/|∇C|, turned along the wall where one is
+  // near, of length 1; 0 only at the deepest places of the goal. Inside the goal C/A is minus the depth. A
+  // blocked cell holds what makes the interpolation right for an agent beside it: its neighbours' direction
+  // and cost, led away from the wall; deeper inside, the way out. An unreachable cell holds (0, 0, 0,
+  // kUnreachableGuide).
+  std::vector<float> guide;
+  std::vector<CellKind> kind;
+  std::size_t blocked = 0;      // cells nearer to an obstacle than the clearance, or inside it
+  std::size_t unreachable = 0;  // free cells that no path joins to the goal
+  std::optional<glm::vec3> unreachable_example;  // m, the centre of the first of them
+
+  // C/A at the cell that holds p; where that is blocked, at the nearest free of the eight around p. +inf: no
+  // way to the goal from there, or p is outside the grid, not a number, or surrounded by blocked cells.
+  float cost_at(glm::vec3 p) const;
+  bool reaches(glm::vec3 p) const;
+  // The centre of the first unreachable cell whose centre is in `region`.
+  std::optional<glm::vec3> unreachable_in(const Box& region) const;
+};
+
+// max(clearance, ½ cell), less a thousandth so that rounding does not close a passage that fits exactly.
+// Cells nearer to an obstacle are impassable. With at least half a cell every wall that is thicker than a
+// thousandth of a cell is tight, however thin: of two neighbouring centres on its two sides, joined by a line
+// of one cell side that runs through the wall for t, φ₁ + φ₂ ≤ cell − t, so that one of them is below ½ cell,
+// and six neighbours give no other way across.
+float effective_clearance(const CostParams& params, const Grid& grid);
+
+// threads < 1 means all cores; the result has the same bits for any number. Errors: those of place_sources
+// and solve_eikonal; a parameter out of range; no memory.
+Result<CostField> build_cost_field(const DistanceField& obstacles, const GoalDistance& goal,
+                                   const CostParams& params, int threads, const Progress& progress);
+
+// Everything that the guide depends on: the key under which a FieldCache keeps it.
+std::string cost_key(const DistanceField& obstacles, const GoalDistance& goal, const CostParams& params);
+// The rest of a CostField from a guide that build_cost_field made of the same obstacles and parameters.
+CostField restore_cost_field(const DistanceField& obstacles, const CostParams& params,
+                             std::vector<float> guide);
+
+// "1 204 free cells cannot reach goal 'exit', for instance at (3.5, 2.5, 10.5)"; empty if all can.
+std::string describe_unreachable(const CostField& field, std::string_view goal);
+
+}  // namespace mayfly::fields
