@@ -1,0 +1,68 @@
+// A governor with columns around it, one swarm, and defaults that a test changes.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <glm/geometric.hpp>
+#include <vector>
+
+#include "controller/governor/governor.hpp"
+
+namespace mayfly::governor_test {
+
+using namespace std::chrono_literals;
+
+inline GovernorConfig default_config(std::size_t agents) {
+  GovernorConfig config;
+  config.period = 10ms;
+  config.max_state_age = 50ms;
+  config.fence = {{-10.0F, -10.0F, -10.0F}, {10.0F, 10.0F, 10.0F}};
+  GovernorLimits limits;
+  limits.speed = 2.0F;
+  limits.acceleration = 4.0F;
+  limits.braking = 4.0F;
+  limits.radius = 0.1F;
+  config.groups = {{0, agents, limits, true}};
+  return config;
+}
+
+class Rig {
+ public:
+  explicit Rig(const GovernorConfig& config) : governor(*Governor::make(config)) {
+    const std::size_t n = governor.agents();
+    for (auto* column : {&x, &y, &z, &vx, &vy, &vz, &wx, &wy, &wz, &ox, &oy, &oz}) {
+      column->assign(n, 0.0F);
+    }
+    stamp.assign(n, Time{0});
+    valid.assign(n, 1);
+    kind.assign(n, CommandKind::kNone);
+  }
+
+  void place(std::size_t i, glm::vec3 p, glm::vec3 v) {
+    x[i] = p.x, y[i] = p.y, z[i] = p.z;
+    vx[i] = v.x, vy[i] = v.y, vz[i] = v.z;
+  }
+  void desire(std::size_t i, glm::vec3 w) { wx[i] = w.x, wy[i] = w.y, wz[i] = w.z; }
+  glm::vec3 command(std::size_t i) const { return {ox[i], oy[i], oz[i]}; }
+  void tick() { governor.govern(now, {x, y, z, vx, vy, vz, stamp, valid}, {wx, wy, wz}, {kind, ox, oy, oz}); }
+  // One tick of agent 0 with a fresh state.
+  glm::vec3 tick(glm::vec3 desired) {
+    now += 10ms;
+    stamp[0] = now;
+    desire(0, desired);
+    tick();
+    return command(0);
+  }
+  std::uint64_t count(GovernorReason reason) const { return governor.counters().of(reason); }
+  std::uint64_t interventions() const { return governor.counters().interventions; }
+
+  Governor governor;
+  Time now{0};
+  std::vector<float> x, y, z, vx, vy, vz;
+  std::vector<float> wx, wy, wz, ox, oy, oz;
+  std::vector<Time> stamp;
+  std::vector<std::uint8_t> valid;
+  std::vector<CommandKind> kind;
+};
+
+}  // namespace mayfly::governor_test
