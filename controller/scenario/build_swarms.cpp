@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 #include "controller/scenario/build.hpp"
@@ -55,12 +56,23 @@ Box start_box(const fields::Shape& start) {
   return std::get<fields::BoxShape>(start).box;
 }
 
-double grown_volume(const fields::Shape& start, double separation) {
+// Of the region made `factor` times as long each way.
+double grown_volume(const fields::Shape& start, double separation, double factor = 1.0) {
   if (const auto* sphere = std::get_if<fields::SphereShape>(&start)) {
-    return grown_sphere_volume(sphere->radius, separation);
+    return grown_sphere_volume(factor * sphere->radius, separation);
   }
-  const glm::dvec3 size = glm::dvec3(start_box(start).max) - glm::dvec3(start_box(start).min);
+  const glm::dvec3 size = factor * (glm::dvec3(start_box(start).max) - glm::dvec3(start_box(start).min));
   return grown_box_volume(size.x, size.y, size.z, separation);
+}
+
+double factor_that_fits(const SwarmSpec& swarm) {
+  const double separation = swarm.limits.separation;
+  double factor = 1.0;
+  while (packed_share(swarm.count, separation, grown_volume(swarm.start, separation, factor)) >
+         kRandomClosePacking) {
+    factor = std::ceil(101.0 * factor) / 100.0;
+  }
+  return factor;
 }
 
 void check_room(const SwarmSpec& swarm, const YamlMark& mark, Findings& findings) {
@@ -71,12 +83,12 @@ void check_room(const SwarmSpec& swarm, const YamlMark& mark, Findings& findings
   const double volume = grown_volume(swarm.start, separation);
   const double share = packed_share(swarm.count, separation, volume);
   if (share > kRandomClosePacking) {
-    findings.error(mark, fmt::format("swarm '{}' does not fit its start region", swarm.name),
-                   fmt::format("{} agents {:g} m apart, which would fill {:.0f} % of it", swarm.count,
-                               separation, 100.0 * share),
-                   fmt::format("at most {:.0f} agents, or a region {:.2f} times as long each way",
-                               count_that_fits(separation, volume, kRandomClosePacking),
-                               1.01 * std::cbrt(share / kRandomClosePacking)));
+    findings.error(
+        mark, fmt::format("swarm '{}' does not fit its start region", swarm.name),
+        fmt::format("{} agents {:g} m apart, which would fill {:.0f} % of it", swarm.count, separation,
+                    100.0 * share),
+        fmt::format("at most {:.0f} agents, or a region {:.8g} times as long each way",
+                    count_that_fits(separation, volume, kRandomClosePacking), factor_that_fits(swarm)));
   } else if (share > kRandomAddition) {
     findings.warn(
         mark, fmt::format("swarm '{}' fills {:.0f} % of its start region, so that places are hard to find; "

@@ -12,12 +12,15 @@
 #include <unordered_map>
 #include <utility>
 
+#include "controller/scenario/brackets.hpp"
+
 namespace mayfly {
 namespace {
 
 // Leaves yaml-cpp's parser early; never leaves this file.
 struct Refused {
   Error error;
+  bool maybe_slip = false;  // an open bracket can look like this
 };
 
 bool is_control(char c) {
@@ -26,7 +29,9 @@ bool is_control(char c) {
 
 class TreeBuilder final : public YAML::EventHandler {
  public:
-  TreeBuilder(YamlMark base, bool has_lines) : base_(std::move(base)), has_lines_(has_lines) {}
+  TreeBuilder(YamlMark base, bool has_lines) : base_(std::move(base)), has_lines_(has_lines) {
+    root_.mark = base_;
+  }
 
   YamlNode take() { return std::move(root_); }
 
@@ -122,7 +127,9 @@ class TreeBuilder final : public YAML::EventHandler {
              "at most " + std::to_string(kMaxYamlDepth) + " levels");
     }
     if (wants_key()) {
-      refuse(at, "a list or a map cannot be a key", "a name");
+      throw Refused{
+          {.message = "a list or a map cannot be a key", .place = mark_at(at).place(), .wanted = "a name"},
+          true};
     }
     open_.push_back({node_at(at, kind), std::nullopt, {}});
   }
@@ -240,6 +247,18 @@ std::optional<Error> check_bytes(std::string_view text, const YamlMark& base, bo
   return std::nullopt;
 }
 
+// The parser's own words, unless the reason is one that can be said better.
+Error explain(std::string_view text, Error error, const YamlMark& base, bool has_lines) {
+  const auto slip = find_yaml_slip(text, error.place && has_lines ? error.place->line : 1);
+  if (!slip) {
+    return error;
+  }
+  YamlMark mark = base;
+  mark.line = has_lines ? slip->line : 0;
+  mark.column = has_lines ? slip->column : 0;
+  return {.message = slip->message, .place = mark.place(), .wanted = slip->wanted};
+}
+
 Result<YamlNode> parse(std::string_view text, const YamlMark& base, bool has_lines) {
   if (auto error = check_bytes(text, base, has_lines)) {
     return fail(std::move(*error));
@@ -251,10 +270,12 @@ Result<YamlNode> parse(std::string_view text, const YamlMark& base, bool has_lin
     while (parser.HandleNextDocument(builder)) {
     }
   } catch (Refused& refused) {
-    return fail(std::move(refused.error));
+    return fail(refused.maybe_slip ? explain(text, std::move(refused.error), base, has_lines)
+                                   : std::move(refused.error));
   } catch (const YAML::Exception& problem) {
-    return fail({.message = "this is not valid YAML: " + problem.msg,
-                 .place = builder.mark_at(problem.mark).place()});
+    Error error{.message = "this is not valid YAML: " + problem.msg,
+                .place = builder.mark_at(problem.mark).place()};
+    return fail(explain(text, std::move(error), base, has_lines));
   } catch (const std::exception& problem) {
     return fail({.message = std::string("this is not valid YAML: ") + problem.what(), .place = base.place()});
   }

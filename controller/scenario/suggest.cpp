@@ -49,7 +49,7 @@ std::string nearest_name(std::string_view typed, std::span<const std::string> na
   }
   const std::string word = folded(typed);
   std::string nearest;
-  std::size_t best = std::max<std::size_t>(1, (word.size() + 1) / 3) + 1;
+  std::size_t best = std::max<std::size_t>(1, (word.size() + 2) / 3) + 1;
   for (const std::string& name : names) {
     const std::size_t distance = name.size() > kLongestName ? best : edit_distance(word, folded(name));
     if (distance < best && distance < name.size()) {

@@ -54,7 +54,7 @@ TEST(Document, RefusesWhatBombsAreMadeOf) {
               AllOf(HasSubstr("f.yaml:1:4"), HasSubstr("anchors and aliases")));
   EXPECT_THAT(problem_of("a: !!binary aaaa\n"), HasSubstr("tags"));
   EXPECT_THAT(problem_of("%TAG ! tag:x,2000:\n---\na: !b c\n"), HasSubstr("tags"));
-  EXPECT_THAT(problem_of("a: 1\n---\nb: 1\n"), AllOf(HasSubstr("f.yaml:3:1"), HasSubstr("second document")));
+  EXPECT_THAT(problem_of("a: 1\n---\nb: 1\n"), AllOf(HasSubstr("f.yaml:2:1"), HasSubstr("second document")));
   EXPECT_THAT(problem_of("? [a]\n: 1\n"), HasSubstr("cannot be a key"));
 }
 

@@ -72,7 +72,7 @@ TEST(Override, ValuesGoThroughTheSameChecks) {
       AllOf(HasSubstr("--set swarms.flies.count=-3: 'count' is out of range"), Not(HasSubstr(":1:"))));
   EXPECT_THAT(problems_with({"world.cell=2 m"}), HasSubstr("found '2 m'"));
   EXPECT_THAT(problems_with({"seed="}), HasSubstr("found nothing"));
-  EXPECT_THAT(problems_with({"seed=[1"}), HasSubstr("--set seed=[1: this is not valid YAML"));
+  EXPECT_THAT(problems_with({"seed=[1"}), HasSubstr("--set seed=[1: this '[' is never closed"));
   EXPECT_THAT(problems_with({"seed=&a 1"}), HasSubstr("anchors"));
   EXPECT_THAT(problems_with({"swarms.flies.robots=sam"}),
               HasSubstr("--set swarms.flies.robots=sam: there is no HAL"));
