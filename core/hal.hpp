@@ -56,7 +56,8 @@ struct RobotInfo {
 
 // Where read() puts what is known of each robot, one element a robot, in the order of robots().
 // Positions in m, velocities in m/s, world frame. Columns may be longer than robots(); the excess is not touched.
-// `stamp` is when the state was measured, on the run's clock. Where `valid` is 0 the other columns keep their last value.
+// `stamp` is when the state was measured, on the run's clock; in real time that may be a little after `now`, by as long as
+// the caller took to call. Where `valid` is 0 the other columns keep their last value.
 struct StateColumns {
   std::span<float> x, y, z;
   std::span<float> vx, vy, vz;
