@@ -29,15 +29,20 @@ struct Columns3 {
   std::vector<float> x, y, z;
 };
 
+ObstacleView obstacle_view(const World& world) {
+  if (world.solid.empty()) {
+    return {};
+  }
+  return {{world.distance.distance.data(), world.grid},
+          [&solid = world.solid](glm::vec3 p) { return solid.signed_distance(p); }};
+}
+
 GovernorConfig governor_config(const Scenario& scenario, const World& world) {
   GovernorConfig config;
   config.period = from_seconds(1.0 / static_cast<double>(scenario.control.rate));
   config.max_state_age = std::max(kStatePeriods * config.period, from_seconds(kStateSeconds));
   config.fence = scenario.world.bounds;
-  if (!world.solid.empty()) {
-    config.obstacles.sampled = {world.distance.distance.data(), world.grid};
-    config.obstacles.exact = [&solid = world.solid](glm::vec3 p) { return solid.signed_distance(p); };
-  }
+  config.obstacles = obstacle_view(world);
   std::size_t first = 0;
   for (const SwarmSpec& swarm : scenario.swarms) {
     GovernorGroup group;
@@ -59,10 +64,32 @@ GovernorConfig governor_config(const Scenario& scenario, const World& world) {
   return config;
 }
 
+// Exact where it matters: the sampled distance only spares the question far from obstacles.
+MetricsConfig metrics_config(const Scenario& scenario, const World& world) {
+  MetricsConfig config;
+  config.period = from_seconds(1.0 / static_cast<double>(scenario.control.rate));
+  std::size_t first = 0;
+  std::vector<std::size_t> goal_of;
+  for (const SwarmSpec& swarm : scenario.swarms) {
+    const auto count = static_cast<std::size_t>(swarm.count);
+    config.radii.insert(config.radii.end(), count, swarm.radius);
+    config.swarms.push_back({first, count});
+    const auto goal = std::find_if(scenario.world.goals.begin(), scenario.world.goals.end(),
+                                   [&](const GoalSpec& g) { return g.name == swarm.goal; });
+    goal_of.push_back(static_cast<std::size_t>(goal - scenario.world.goals.begin()));
+    first += count;
+  }
+  config.in_goal = [&goals = world.goals, goal_of](std::size_t swarm, glm::vec3 p) {
+    return goals[goal_of[swarm]].contains(p);
+  };
+  config.obstacles = obstacle_view(world);
+  return config;
+}
+
 // One flight's state: columns taken at the start, and what a tick does with them.
 class Flight {
  public:
-  Flight(const FlightParts& parts, Governor governor, FlightMetrics metrics)
+  Flight(const FlightParts& parts, Governor governor, Metrics metrics)
       : parts_(parts),
         agents_(parts.hal.robots().size()),
         period_(from_seconds(1.0 / static_cast<double>(parts.scenario.control.rate))),
@@ -108,7 +135,7 @@ class Flight {
       truth_.update();
     }
     const Estimate& seen = parts_.truth != nullptr ? truth_ : estimate_;
-    metrics_.update({seen.x, seen.y, seen.z, seen.vx, seen.vy, seen.vz});
+    metrics_.observe({seen.x, seen.y, seen.z, seen.vx, seen.vy, seen.vz});
   }
 
   void decide(Time now) noexcept {
@@ -171,7 +198,7 @@ class Flight {
   std::size_t agents_;
   Time period_;
   Governor governor_;
-  FlightMetrics metrics_;
+  Metrics metrics_;
   Estimate estimate_;
   Estimate truth_;
   Columns3 desired_;
@@ -218,7 +245,13 @@ Summary Flight::summarise(const Executor& executor, double wall_s) const {
       s.mde_percent = 100.0 * static_cast<double>(moved_) / agent_ticks;
     }
   }
-  metrics_.tell(s);
+  const MetricsResult measured = metrics_.result();
+  s.reached_fraction = measured.reached_fraction;
+  s.min_separation_m = measured.min_separation_m;
+  s.collisions = measured.collisions;
+  s.penetrations = measured.penetrations;
+  s.max_speed_mps = measured.max_speed_mps;
+  s.max_acceleration_mps2 = measured.max_acceleration_mps2;
   s.governor_interventions = governor_.counters().interventions;
   s.faults = faults_.told(parts_.hal.robots());
   const TaskStats control = executor.stats().front();
@@ -226,8 +259,14 @@ Summary Flight::summarise(const Executor& executor, double wall_s) const {
                control.missed_by_machine, told(control.jitter), told(control.run)};
   s.preprocessing_s = parts_.world.preprocessing;
   s.stopped_by_user = stopped_by_user();
-  s.expect = hold_expectations(scenario.expect, s,
-                               [&](const std::string& swarm) { return metrics_.reached(swarm); });
+  s.expect = hold_expectations(scenario.expect, s, [&](const std::string& name) -> std::optional<double> {
+    if (name.empty()) {
+      return measured.reached_fraction;
+    }
+    const auto swarm = std::find_if(scenario.swarms.begin(), scenario.swarms.end(),
+                                    [&](const SwarmSpec& spec) { return spec.name == name; });
+    return measured.reached_fraction_of[static_cast<std::size_t>(swarm - scenario.swarms.begin())];
+  });
   return s;
 }
 
@@ -246,7 +285,7 @@ Result<Summary> fly(const FlightParts& parts) {
                                     " robots, the scenario " + std::to_string(governor->agents()) +
                                     " agents");
   }
-  Flight flight(parts, std::move(*governor), FlightMetrics(parts.scenario, parts.world));
+  Flight flight(parts, std::move(*governor), Metrics(metrics_config(parts.scenario, parts.world)));
   Executor executor(parts.clock);
   auto added = executor.add_task("control", static_cast<double>(parts.scenario.control.rate),
                                  [&flight](const TickInfo& info) noexcept { flight.tick(info); });

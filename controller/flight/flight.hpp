@@ -43,7 +43,7 @@ struct FlightParts {
   Clock& clock;
   std::span<Observer* const> observers{};
   const StopRequest* stop = nullptr;
-  Progress progress{};  // fraction of the duration flown
+  FlightGauge* gauge = nullptr;
 };
 
 // Flies the scenario to its end. An error means that nothing flew (the HAL refused); faults in flight are in
