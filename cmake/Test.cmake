@@ -12,9 +12,7 @@ option(MAYFLY_SANITIZED_TESTS "ctest here also runs the tests of build/asan-ubsa
 # Builds what the tsan tree is for, and nothing else.
 add_custom_target(thread_tests)
 
-if(MAYFLY_SANITIZE)
-  add_library(mayfly_sanitizer_options OBJECT ${CMAKE_SOURCE_DIR}/tests/sanitizer_options.cpp)
-endif()
+add_library(mayfly_sanitizer_options OBJECT EXCLUDE_FROM_ALL ${CMAKE_SOURCE_DIR}/tests/sanitizer_options.cpp)
 
 # MAYFLY_DATA goes through from the environment: tests with real data skip themselves, visibly, where it isn't set.
 function(mayfly_test NAME)

@@ -1,6 +1,14 @@
 // How the sanitizers behave in our tests, in the binary itself, so that it doesn't matter who starts it.
 
+// The names are the sanitizers' own. NOLINTBEGIN(readability-identifier-naming)
 extern "C" {
+
+const char* __lsan_default_suppressions();
+const char* __lsan_default_options();
+const char* __asan_default_options();
+const char* __ubsan_default_options();
+const char* __tsan_default_suppressions();
+const char* __tsan_default_options();
 
 // PoCL and LLVM keep what they allocated until the process ends.
 const char* __lsan_default_suppressions() {
@@ -32,3 +40,4 @@ const char* __tsan_default_options() {
 }
 
 }  // extern "C"
+// NOLINTEND(readability-identifier-naming)

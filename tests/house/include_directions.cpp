@@ -86,6 +86,9 @@ std::string fault(const std::filesystem::path& top, const std::string& room, con
   if (!include.quoted && !(ours && std::filesystem::exists(top / include.target))) {
     return {};  // a library's header
   }
+  if (include.quoted && include.target.ends_with(".inc") && include.target.find('/') == std::string::npos) {
+    return {};  // generated into the build tree by the folder's own CMakeLists.txt
+  }
   if (!include.quoted || !ours || include.target.find("..") != std::string::npos) {
     return "'" + include.target + "' does not start at the top of the tree, in quotes, with a known folder";
   }

@@ -69,6 +69,10 @@ TEST_F(IncludeDirections, NeighboursAreNamedFromTheTop) {
   EXPECT_THAT(check("core/a.cpp", "#include \"b.hpp\""), ElementsAre(HasSubstr("top of the tree")));
 }
 
+TEST_F(IncludeDirections, GeneratedTextHasNoFolder) {
+  EXPECT_THAT(check("core/a.cpp", "#include \"table.inc\""), IsEmpty());
+}
+
 TEST_F(IncludeDirections, ClimbingOutIsRefused) {
   EXPECT_THAT(check("core/a.cpp", "#include \"core/../controller/b.hpp\""),
               ElementsAre(HasSubstr("top of the tree")));
