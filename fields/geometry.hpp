@@ -48,9 +48,10 @@ class Geometry {
   // file names.
   const std::string& content_hash() const noexcept;
 
+  struct Parts;  // fields/geometry_parts.hpp, for those who build fields
+
  private:
   friend class DistanceBuilder;
-  struct Parts;
   explicit Geometry(std::unique_ptr<const Parts> parts) noexcept;
 
   std::unique_ptr<const Parts> parts_;

@@ -71,7 +71,7 @@ std::string ContentHash::hex() const {
   constexpr std::string_view kDigits = "0123456789abcdef";
   std::string text;
   for (const std::uint64_t seed : {std::uint64_t{0}, kPrime3}) {
-    const std::uint64_t hash = hash64(bytes_, seed);
+    const std::uint64_t hash = hash64(std::as_bytes(std::span(bytes_)), seed);
     for (int shift = 60; shift >= 0; shift -= 4) {
       text += kDigits[(hash >> shift) & 15U];
     }

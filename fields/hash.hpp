@@ -8,7 +8,6 @@
 #include <string>
 #include <string_view>
 #include <type_traits>
-#include <vector>
 
 namespace mayfly::fields {
 
@@ -20,8 +19,7 @@ std::uint64_t hash64(std::span<const std::byte> bytes, std::uint64_t seed = 0) n
 class ContentHash {
  public:
   template <class T>
-  ContentHash& add(const T& value) {
-    static_assert(std::is_arithmetic_v<T> || std::is_enum_v<T>);
+  requires std::is_arithmetic_v<T> || std::is_enum_v<T> ContentHash& add(const T& value) {
     return add_bytes(std::as_bytes(std::span<const T, 1>(&value, 1)));
   }
   ContentHash& add(std::string_view text) {
@@ -40,11 +38,11 @@ class ContentHash {
 
  private:
   ContentHash& add_bytes(std::span<const std::byte> bytes) {
-    bytes_.insert(bytes_.end(), bytes.begin(), bytes.end());
+    bytes_.append(reinterpret_cast<const char*>(bytes.data()), bytes.size());
     return *this;
   }
 
-  std::vector<std::byte> bytes_;
+  std::string bytes_;
 };
 
 }  // namespace mayfly::fields
