@@ -16,6 +16,9 @@ constexpr float kTurnReach = 1.5F;
 // How much a blocked cell beside free ones leads away from the wall, against its neighbours' direction of
 // length 1.
 constexpr float kPush = 0.25F;
+// How much the cells inside a wall thinner than a cell say, against the free ones on either side, which know
+// better.
+constexpr float kThinWall = 0.1F;
 
 float smooth(float r) {
   const float t = std::clamp(r, 0.0F, 1.0F);
@@ -122,7 +125,10 @@ class GuideMaker {
     if (!(room < 1.0F)) {
       return direction;
     }
-    const glm::vec3 normal = wall_normal(at);
+    // At an edge, differences make the gradient short, though the wall is on one side; between two walls it
+    // vanishes, and nothing is to be turned.
+    const glm::vec3 gradient = wall_normal(at);
+    const glm::vec3 normal = gradient / std::max(glm::length(gradient), 0.5F);
     const float into = glm::dot(direction, normal);
     if (into >= 0.0F) {
       return direction;
@@ -138,8 +144,8 @@ class GuideMaker {
   // a push away from it. Deeper: straight out.
   void fill_blocked(glm::ivec3 at, std::size_t cell) {
     const glm::vec3 normal = wall_normal(at);
-    const float length = glm::length(normal);
-    const glm::vec3 out = length > 1e-6F ? normal / length : glm::vec3(0.0F);
+    const float steepness = glm::length(normal);
+    const glm::vec3 out = steepness > 1e-6F ? normal / steepness : glm::vec3(0.0F);
     glm::vec3 direction(0.0F);
     float cost = 0.0F;
     float weight = 0.0F;
@@ -170,11 +176,19 @@ class GuideMaker {
       return;
     }
     direction /= weight;
-    direction -= std::min(glm::dot(direction, out), 0.0F) * out;
-    const float depth = (in_.clearance - in_.distance[cell]) / in_.grid.cell;
-    // What is away from the wall on this side leads into it on the other: there the free cells must do alone.
-    const glm::vec3 push = across ? glm::vec3(0.0F) : kPush * (1.0F + 2.0F * std::min(depth, 1.0F)) * out;
-    set(cell, (across ? 0.25F : 1.0F) * direction + push, cost / weight);
+    const float away = glm::dot(direction, out);
+    if (across) {
+      // What is away from the wall on this side leads into it on the other, so only "along" is left; the less
+      // of it the nearer the wall is, so that beyond the wall the free cell there prevails.
+      const glm::vec3 along = direction - away * out;
+      const float length = glm::length(along);
+      const float strength = std::clamp(2.0F * in_.distance[cell] / in_.clearance, 0.0F, 1.0F);
+      set(cell, length > 0.1F ? along * (strength / length) : glm::vec3(0.0F), cost / weight);
+      return;
+    }
+    const float depth = std::clamp((in_.clearance - in_.distance[cell]) / in_.grid.cell, 0.0F, 1.0F);
+    const glm::vec3 push = kPush * (1.0F + 2.0F * depth) * out;
+    set(cell, direction - std::min(away, 0.0F) * out + push, cost / weight);
   }
 
   const GuideInput& in_;
