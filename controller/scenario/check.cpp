@@ -83,7 +83,9 @@ class Checker {
 
   void check_map(const YamlNode& node, const Key& key, const std::string& name) {
     if (node.kind != Kind::kMap) {
-      return wrong_type(node, key, name.empty() ? "the scenario" : name);
+      return name.empty()
+                 ? add(node, key, node.kind == Kind::kNull ? "the scenario is empty" : "this is no scenario")
+                 : wrong_type(node, key, name);
     }
     for (const YamlEntry& entry : node.entries) {
       const Key* child = find_key(join(key.path, entry.key));

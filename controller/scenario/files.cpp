@@ -88,7 +88,8 @@ Result<fs::path> resolve_file(const YamlNode& node, const FileRoots& roots) {
                   "a file under " + (roots.project.empty() ? roots.scenario : roots.project).string());
   }
   if (const std::string problem = file_problem(file); !problem.empty()) {
-    const std::string near = near_file_name(file);
+    std::error_code ignored;
+    const std::string near = fs::exists(file, ignored) ? "" : near_file_name(file);
     return refuse(problem, "a file", near.empty() ? "" : (written.parent_path() / near).string());
   }
   return file;

@@ -37,10 +37,13 @@ const Index& index() {
 }
 
 std::string range_of(const Key& key) {
+  if (key.min == key.max) {
+    return fmt::format(", {:g}", key.min);
+  }
   constexpr double kNone = std::numeric_limits<double>::infinity();
-  const std::string low = fmt::format("{}{:.15g}", key.above_min ? "above " : "from ", key.min);
+  const std::string low = fmt::format("{}{:.16g}", key.above_min ? "above " : "from ", key.min);
   if (key.min > -kNone && key.max < kNone) {
-    return fmt::format(", {} to {:.15g}", low, key.max);
+    return fmt::format(", {} to {:.16g}", low, key.max);
   }
   return key.min > -kNone ? ", " + low : std::string();
 }
@@ -77,7 +80,7 @@ std::string wanted_of(const Key& key) {
       return "a map of names";
     case KeyType::kList:
       return key.max < std::numeric_limits<double>::infinity()
-                 ? fmt::format("a list of at most {:.15g}", key.max)
+                 ? fmt::format("a list of at most {:.16g}", key.max)
                  : "a list";
     case KeyType::kText:
       return "a text";

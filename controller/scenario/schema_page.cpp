@@ -48,8 +48,8 @@ std::string range_text(const Key& key) {
     return {};
   }
   const std::string low =
-      std::isfinite(key.min) ? fmt::format("{}{:.15g}", key.above_min ? "> " : "", key.min) : "";
-  const std::string high = std::isfinite(key.max) ? fmt::format("{:.15g}", key.max) : "";
+      std::isfinite(key.min) ? fmt::format("{}{:.16g}", key.above_min ? "> " : "", key.min) : "";
+  const std::string high = std::isfinite(key.max) ? fmt::format("{:.16g}", key.max) : "";
   return low.empty() && high.empty() ? "" : low + " … " + high;
 }
 
