@@ -16,9 +16,6 @@ constexpr float kTurnReach = 1.5F;
 // How much a blocked cell beside free ones leads away from the wall, against its neighbours' direction of
 // length 1.
 constexpr float kPush = 0.25F;
-// How much the cells inside a wall thinner than a cell say, against the free ones on either side, which know
-// better.
-constexpr float kThinWall = 0.1F;
 
 float smooth(float r) {
   const float t = std::clamp(r, 0.0F, 1.0F);
