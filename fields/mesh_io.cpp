@@ -1,5 +1,4 @@
 #include <assimp/MemoryIOWrapper.h>
-#include <assimp/postprocess.h>
 #include <assimp/scene.h>
 #include <algorithm>
 #include <assimp/IOStream.hpp>
@@ -11,11 +10,13 @@
 #include <fstream>
 #include <memory>
 #include <span>
+#include <stdexcept>
 #include <system_error>
 
 #include "fields/mesh.hpp"
 #include "fields/mesh_file.hpp"
 #include "fields/mesh_weld.hpp"
+#include "fields/polygon.hpp"
 
 namespace mayfly::fields {
 
@@ -90,6 +91,28 @@ class MeshFolder : public Assimp::IOSystem {
   fs::path folder_;
 };
 
+// The importer has a step that triangulates, but in Debian's build it aborts the program on some damaged
+// files.
+void append(TriangleMesh& to, glm::uint first, const aiFace& face, bool mirrored) {
+  if (face.mNumIndices > kMaxCorners) {
+    throw std::length_error("a face of " + std::to_string(face.mNumIndices) + " corners, more than " +
+                            std::to_string(kMaxCorners));
+  }
+  std::vector<glm::uint> corners;
+  for (const unsigned index : std::span(face.mIndices, face.mNumIndices)) {
+    if (index >= to.vertices.size() - first) {
+      throw std::out_of_range("a face with vertex " + std::to_string(index) + " of " +
+                              std::to_string(to.vertices.size() - first));
+    }
+    corners.push_back(first + index);
+  }
+  if (mirrored) {
+    std::ranges::reverse(corners);
+  }
+  const std::vector<glm::uvec3> triangles = triangulate(corners, to.vertices);
+  to.triangles.insert(to.triangles.end(), triangles.begin(), triangles.end());
+}
+
 void append(TriangleMesh& to, const aiMesh& mesh, const aiMatrix4x4& matrix) {
   const auto first = static_cast<glm::uint>(to.vertices.size());
   for (const aiVector3D& vertex : std::span(mesh.mVertices, mesh.mNumVertices)) {
@@ -98,12 +121,8 @@ void append(TriangleMesh& to, const aiMesh& mesh, const aiMatrix4x4& matrix) {
   }
   const bool mirrored = matrix.Determinant() < 0.0F;
   for (const aiFace& face : std::span(mesh.mFaces, mesh.mNumFaces)) {
-    if (face.mNumIndices == 3) {
-      const glm::uvec3 t = glm::uvec3(face.mIndices[0], face.mIndices[1], face.mIndices[2]);
-      // An index beyond this mesh must stay beyond the whole: it is refused later, not taken for another
-      // mesh's vertex.
-      const auto shifted = [&](glm::uint i) { return i < mesh.mNumVertices ? first + i : ~glm::uint{0}; };
-      to.triangles.emplace_back(shifted(t.x), shifted(mirrored ? t.z : t.y), shifted(mirrored ? t.y : t.z));
+    if (face.mNumIndices >= 3) {  // the rest are points and lines
+      append(to, first, face, mirrored);
     }
   }
 }
@@ -123,7 +142,7 @@ void append_nodes(TriangleMesh& to, const aiScene& scene, const aiNode& node, co
 Result<TriangleMesh> import(const std::string& name, std::string_view content, const fs::path& folder) try {
   Assimp::Importer importer;
   importer.SetIOHandler(new MeshFolder(name, content, folder));  // the importer owns it
-  const aiScene* scene = importer.ReadFile(name, aiProcess_Triangulate);
+  const aiScene* scene = importer.ReadFile(name, 0);
   if (scene == nullptr || scene->mRootNode == nullptr) {
     return bad_mesh(name, "cannot be read", importer.GetErrorString(), "a mesh of triangles or polygons");
   }
@@ -148,13 +167,6 @@ Result<void> check_numbers(const TriangleMesh& mesh, const std::string& name) {
     if (!std::isfinite(v.x) || !std::isfinite(v.y) || !std::isfinite(v.z)) {
       return bad_mesh(name, "has a vertex that is nowhere", "a coordinate that is not a finite number",
                       "finite coordinates");
-    }
-  }
-  const std::size_t vertices = mesh.vertices.size();
-  for (const glm::uvec3& t : mesh.triangles) {
-    if (t.x >= vertices || t.y >= vertices || t.z >= vertices) {
-      return bad_mesh(name, "is damaged", "a triangle of vertices that do not exist",
-                      "indices below " + std::to_string(vertices));
     }
   }
   return {};

@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "fields/mesh.hpp"
 #include "fields/mesh_file.hpp"
 
 namespace mayfly::fields {
@@ -167,6 +168,11 @@ Result<void> check_off(std::string_view bytes, const std::string& name) {
   if (!vertices || !faces) {
     return bad_mesh(name, "has no counts", joined(counts) + lines.where(),
                     "the numbers of vertices and faces");
+  }
+  if (*vertices > kMaxMeshVertices || *faces > kMaxMeshTriangles) {
+    return bad_mesh(name, "is too large, or damaged", joined(counts) + lines.where(),
+                    "at most " + std::to_string(kMaxMeshVertices) + " vertices and " +
+                        std::to_string(kMaxMeshTriangles) + " faces");
   }
   for (std::uint64_t i = 0; i < *vertices + *faces; ++i) {
     const bool is_vertex = i < *vertices;
