@@ -1,14 +1,15 @@
 // A HAL of your own: points that fly as told. Yours would hand commands to the thread that owns its bus.
 #include <algorithm>
 #include <glm/vec3.hpp>
-
 #include "core/hal.hpp"
 
 using namespace mayfly;
 
 class MyHal final : public Hal {
  public:
-  explicit MyHal(std::size_t robots) : infos_(robots, {"point", "air"}), places_(robots), speeds_(robots) {}
+  explicit MyHal(std::size_t robots) : infos_(robots), places_(robots), speeds_(robots) {
+    for (std::size_t i = 0; i < robots; ++i) infos_[i] = {"point" + std::to_string(i), "air"};
+  }
   std::span<const RobotInfo> robots() const noexcept override { return infos_; }
   std::string_view name() const noexcept override { return "mine"; }
 
@@ -40,7 +41,6 @@ class MyHal final : public Hal {
     if (now >= deadline_) std::fill(speeds_.begin(), speeds_.end(), glm::vec3(0.0F));  // nobody leads: hold
     last_ = now;
   }
-
   std::vector<RobotInfo> infos_;
   std::vector<glm::vec3> places_, speeds_;
   Time last_{0}, deadline_{0};

@@ -2,6 +2,7 @@
 #include "tests/contract/hal_contract.hpp"
 
 #include <algorithm>
+#include <set>
 
 namespace mayfly::contract {
 
@@ -267,8 +268,16 @@ TEST_P(HalContract, OneRobotIsASwarm) {
   make_active(1);
   fly(50);
   EXPECT_GT(states_.vx[0], 0.0F);
-  EXPECT_FALSE(hal_->robots()[0].name.empty());
   EXPECT_FALSE(hal_->name().empty());
+}
+
+TEST_P(HalContract, RobotsHaveNamesOfTheirOwn) {
+  make_active(5);
+  std::set<std::string> names;
+  for (const RobotInfo& robot : hal_->robots()) {
+    EXPECT_FALSE(robot.name.empty());
+    EXPECT_TRUE(names.insert(robot.name).second) << robot.name;
+  }
 }
 
 TEST_P(HalContract, CanBeDestroyedWhileRobotsFly) {
