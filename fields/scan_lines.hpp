@@ -13,7 +13,8 @@ namespace mayfly::fields {
 
 namespace detail {
 
-// +1, −1 or 0: how the edge a → b, seen along x, runs past the upward half of ... the line through (y, z).
+// +1 or −1 where the edge a → b, seen along x, passes the line through (y, z) on its +y side upwards or
+// downwards in z; else 0. Summed over a triangle's edges, that is the triangle's winding about the line.
 inline int edge_passes(const glm::dvec3& a, const glm::dvec3& b, double y, double z) {
   if ((a.z <= z) == (b.z <= z)) {
     return 0;
