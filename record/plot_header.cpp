@@ -6,16 +6,13 @@
 #include <optional>
 #include <string>
 
+#include "record/grouped_digits.hpp"
+
 namespace mayfly::record {
 namespace {
 
-// Thin spaces every three digits.
 std::string grouped(std::uint64_t number) {
-  std::string text = std::to_string(number);
-  for (std::size_t at = text.size(); at > 3; at -= 3) {
-    text.insert(at - 3, "\u202F");
-  }
-  return text;
+  return grouped_digits(number, "\u202F");
 }
 
 std::string formatted(const char* format, double value) {

@@ -1,0 +1,165 @@
+#include "app/arguments.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <array>
+#include <cstdio>
+#include <map>
+
+#include "app/exit_code.hpp"
+#include "controller/scenario/suggest.hpp"
+
+namespace mayfly::app {
+namespace {
+
+// What the text on the command line is before it means something.
+struct Raw {
+  std::string seed, duration;
+  std::vector<std::string> sets;
+};
+
+constexpr auto kExitCodes =
+    "\nExit status: 0 success; 1 an `expect` line does not hold; 2 bad input; 3 the machine or a HAL "
+    "failed;\n"
+    "130 stopped by Ctrl-C.\n";
+
+void add_sets(CLI::App& command, Raw& raw) {
+  command.add_option("--set", raw.sets, "Change a value of the scenario; may be given again")
+      ->type_name("path.to.key=value")
+      ->allow_extra_args(false);
+}
+
+void add_threads(CLI::App& command, int& threads) {
+  command
+      .add_option("--threads", threads,
+                  "Threads of the engine and the field builders; 0: chosen for this machine")
+      ->type_name("N")
+      ->check(CLI::Range(0, 1024));
+}
+
+void add_run(CLI::App& app, RunOptions& options, Raw& raw) {
+  CLI::App& run = *app.add_subcommand("run", "Fly a scenario, in real time unless --fast");
+  run.add_option("SCENARIO", options.scenario, "A scenario file (YAML)")->required();
+  run.add_option("--hal", options.hal, "Fly every swarm on this HAL of the scenario")->type_name("NAME");
+  const std::map<std::string, EngineChoice> engines{{"native", EngineChoice::kNative},
+                                                    {"opencl", EngineChoice::kOpenCl}};
+  run.add_option("--engine", options.engine, "What computes the model: native or opencl")
+      ->type_name("NAME")
+      ->transform(CLI::Transformer(engines))
+      ->check(CLI::IsMember(std::vector{EngineChoice::kNative, EngineChoice::kOpenCl}, nullptr)
+                  .description("")
+                  .name("native|opencl"));
+  run.add_option("--seed", raw.seed, "Seed of everything random")->type_name("N");
+  run.add_option("--duration", raw.duration, "Seconds to fly")->type_name("S");
+  run.add_flag("--fast", options.fast,
+               "On a virtual clock: as fast as the machine goes, the same bits every time");
+  run.add_option("--record", options.record, "Write every agent's state and command (CSV)")
+      ->type_name("FILE");
+  run.add_option("--summary", options.summary, "Write what the flight came to (JSON)")->type_name("FILE");
+  run.add_option("--plot", options.plot, "Draw the paths from above and from the side (PNG)")
+      ->type_name("FILE");
+  add_sets(run, raw);
+  add_threads(run, options.threads);
+  run.add_flag("-v,--verbose", options.verbose, "Say more, on stderr");
+  run.add_flag("-q,--quiet", options.quiet, "Say nothing but errors");
+  run.footer(
+      std::string("\nExample:\n  mayfly run config/scenarios/two_blocks_passage.yaml --fast --plot out.png\n"
+                  "  mayfly run config/scenarios/mesh_maze.yaml --fast --set swarms.flies.count=50\n") +
+      kExitCodes);
+}
+
+void add_check(CLI::App& app, CheckOptions& options, Raw& raw) {
+  CLI::App& check =
+      *app.add_subcommand("check", "Validate scenarios: schema, files, fields, limits; flies nothing");
+  check.add_option("SCENARIO", options.scenarios, "Scenario files (YAML)")->required();
+  add_sets(check, raw);
+  add_threads(check, options.threads);
+  check.add_flag("-v,--verbose", options.verbose, "Say more, on stderr");
+  check.footer(std::string("\nExample:\n  mayfly check config/scenarios/*.yaml\n") + kExitCodes);
+}
+
+void add_doctor(CLI::App& app) {
+  app.add_subcommand("doctor", "What this machine has for flying, and how to get what is missing")
+      ->footer("\nExample:\n  mayfly doctor\n");
+}
+
+// A word that is no command, before CLI11 calls it an unexpected argument.
+bool refuse_unknown_command(int argc, const char* const* argv) {
+  if (argc < 2 || argv[1][0] == '-') {
+    return false;
+  }
+  const std::string word = argv[1];
+  const std::vector<std::string> there{"run", "check", "doctor"};
+  const std::array<std::string_view, 5> later{"plan", "test", "emulate", "view", "bench"};
+  if (std::find(there.begin(), there.end(), word) != there.end()) {
+    return false;
+  }
+  const bool planned = std::find(later.begin(), later.end(), word) != later.end();
+  const std::string near = planned ? "" : nearest_name(word, there);
+  fmt::print(stderr, "mayfly: {} '{}'; wanted {}{}\n", planned ? "not available yet:" : "unknown command",
+             word, list_names(there), near.empty() ? "" : fmt::format("; did you mean '{}'?", near));
+  return true;
+}
+
+Result<std::vector<Override>> overrides_of(const Raw& raw) {
+  std::vector<std::string> texts = raw.sets;
+  if (!raw.seed.empty()) {
+    texts.push_back("seed=" + raw.seed);
+  }
+  if (!raw.duration.empty()) {
+    texts.push_back("duration=" + raw.duration);
+  }
+  std::vector<Override> overrides;
+  for (const std::string& text : texts) {
+    auto parsed = parse_override(text);
+    if (!parsed) {
+      return fail(std::move(parsed.error()));
+    }
+    overrides.push_back(std::move(*parsed));
+  }
+  return overrides;
+}
+
+}  // namespace
+
+tl::expected<Command, int> parse_arguments(int argc, const char* const* argv) {
+  if (refuse_unknown_command(argc, argv)) {
+    return tl::unexpected<int>(kBadInput);
+  }
+  CLI::App app("mayfly flies swarms of robots, real and simulated, by the models of insect swarms.",
+               "mayfly");
+  app.set_version_flag("--version", "mayfly " MAYFLY_VERSION);
+  app.require_subcommand(1);
+  app.footer(
+      std::string("\nExample:\n  mayfly run config/scenarios/two_blocks_passage.yaml --fast --plot out.png\n"
+                  "  mayfly COMMAND --help\n") +
+      kExitCodes);
+  RunOptions run;
+  CheckOptions check;
+  Raw raw;
+  add_run(app, run, raw);
+  add_check(app, check, raw);
+  add_doctor(app);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return tl::unexpected<int>(app.exit(error) == 0 ? kSuccess : kBadInput);
+  }
+  auto overrides = overrides_of(raw);
+  if (!overrides) {
+    fmt::print(stderr, "mayfly: {}\n", to_string(overrides.error()));
+    return tl::unexpected<int>(kBadInput);
+  }
+  if (app.got_subcommand("run")) {
+    run.overrides = std::move(*overrides);
+    return Command(std::move(run));
+  }
+  if (app.got_subcommand("check")) {
+    check.overrides = std::move(*overrides);
+    return Command(std::move(check));
+  }
+  return Command(DoctorOptions{});
+}
+
+}  // namespace mayfly::app

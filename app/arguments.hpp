@@ -1,0 +1,43 @@
+// The command line.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "controller/scenario/override.hpp"
+#include "core/result.hpp"
+
+namespace mayfly::app {
+
+enum class EngineChoice { kNative, kOpenCl };
+
+struct RunOptions {
+  std::filesystem::path scenario;
+  std::string hal;  // empty: the one that the scenario names
+  EngineChoice engine = EngineChoice::kNative;
+  std::vector<Override> overrides;  // --seed and --duration are among them
+  bool fast = false;
+  std::filesystem::path record, summary, plot;  // empty: not wanted
+  int threads = 0;                              // 0: as many as are worth it
+  bool verbose = false;
+  bool quiet = false;
+};
+
+struct CheckOptions {
+  std::vector<std::filesystem::path> scenarios;
+  std::vector<Override> overrides;
+  int threads = 0;
+  bool verbose = false;
+};
+
+struct DoctorOptions {};
+
+using Command = std::variant<RunOptions, CheckOptions, DoctorOptions>;
+
+// Where the command line itself asks for no more than text (--help) or is wrong, that has been printed, and
+// the exit code comes back instead.
+tl::expected<Command, int> parse_arguments(int argc, const char* const* argv);
+
+}  // namespace mayfly::app

@@ -1,0 +1,142 @@
+#include "app/run_command.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdio>
+
+#include "app/exit_code.hpp"
+#include "app/flight_line.hpp"
+#include "app/log.hpp"
+#include "app/outputs.hpp"
+#include "app/progress_line.hpp"
+#include "app/signals.hpp"
+#include "app/summary_table.hpp"
+#include "app/wiring.hpp"
+#include "controller/clock/realtime_rights.hpp"
+#include "controller/flight/placement.hpp"
+#include "controller/scenario/load.hpp"
+
+namespace mayfly::app {
+namespace {
+
+// Above ordinary work, below what the kernel itself needs (threaded interrupts run at 50, migration at 99).
+constexpr int kControlPriority = 80;
+
+int refuse(std::span<const Error> errors) {
+  print_errors(errors);
+  return exit_code_of(errors.front());
+}
+int refuse(const Error& error) {
+  return refuse(std::span(&error, 1));
+}
+
+ScenarioResult load(const RunOptions& options) {
+  auto scenario = load_scenario(options.scenario, options.overrides);
+  if (scenario && !options.hal.empty()) {
+    if (auto chosen = choose_hal(*scenario, options.hal); !chosen) {
+      return tl::unexpected(std::vector{std::move(chosen.error())});
+    }
+  }
+  return scenario;
+}
+
+void announce(const RunOptions& options, const Scenario& scenario, const Engine& engine, std::size_t agents) {
+  if (options.quiet) {
+    return;
+  }
+  fmt::print("flying {}: {} agent{} for {:.4g} s, {} engine, {}; Ctrl-C stops the swarm\n", scenario.name,
+             agents, agents == 1 ? "" : "s", scenario.duration, engine.name(),
+             options.fast ? "as fast as it goes" : "in real time");
+  std::fflush(stdout);
+}
+
+void get_realtime_rights(const RunOptions& options) {
+  if (options.fast) {
+    return;
+  }
+  for (const auto& refusal : request_realtime(kControlPriority).refused) {
+    log_detail(fmt::format("not granted: {} ({}); {}", refusal.right, refusal.reason, refusal.remedy));
+  }
+}
+
+int exit_code_of(const Summary& summary, int signal_number) {
+  if (summary.stopped_by_user && signal_number != 0) {
+    return 128 + signal_number;
+  }
+  const bool held = std::all_of(summary.expect.begin(), summary.expect.end(),
+                                [](const ExpectationResult& result) { return result.pass; });
+  return held ? kSuccess : kExpectationBroken;
+}
+
+// From here on everything is ready, and Ctrl-C stops the swarm instead of the program.
+int fly_and_tell(const RunOptions& options, const Scenario& scenario, const World& world,
+                 const SwarmModels& models, const std::vector<glm::vec3>& positions, ProgressLine& line) {
+  auto engine = make_engine(options.engine, options.threads, models);
+  if (!engine) {
+    return refuse(engine.error());
+  }
+  const StopSignals signals;
+  auto outputs = Outputs::open(options, scenario, models.agents());
+  if (!outputs) {
+    return refuse(outputs.error());
+  }
+  const auto clock = make_clock(options.fast);
+  const WiredHal wired = make_hal(scenario, positions, *clock);
+  FlightGauge gauge;
+  announce(options, scenario, **engine, models.agents());
+  auto summary = [&] {
+    const FlightLine flight_line(line, gauge, scenario.duration, models.agents());
+    get_realtime_rights(options);
+    auto flown = fly({.scenario = scenario,
+                      .world = world,
+                      .engine = **engine,
+                      .hal = *wired.hal,
+                      .truth = wired.truth.get(),
+                      .clock = *clock,
+                      .observers = outputs->observers(),
+                      .stop = &signals.stop(),
+                      .gauge = &gauge});
+    drop_realtime();
+    return flown;
+  }();
+  if (!summary) {
+    return refuse(summary.error());
+  }
+  const auto unwritten = outputs->finish(scenario, *summary);
+  if (!options.quiet) {
+    fmt::print("{}", summary_table(*summary, !options.fast));
+  }
+  if (!unwritten.empty()) {
+    return refuse(unwritten);
+  }
+  return exit_code_of(*summary, signals.signal_number());
+}
+
+}  // namespace
+
+int run(const RunOptions& options) {
+  set_up_log(options.verbose);
+  const auto scenario = load(options);
+  if (!scenario) {
+    return refuse(scenario.error());
+  }
+  ProgressLine line(!options.quiet);
+  const auto world = build_world(*scenario, options.threads, line.stages());
+  line.clear();
+  if (!world) {
+    return refuse(world.error());
+  }
+  for (const Error& warning : world->warnings) {
+    log_warning(to_string(warning));
+  }
+  const auto positions = place_agents(*scenario, *world);
+  if (!positions) {
+    return refuse(positions.error());
+  }
+  const SwarmModels models = make_swarm_models(*scenario, *world);
+  log_detail(fmt::format("world: {} cells, {} triangles", world->grid.size(), world->solid.triangle_count()));
+  return fly_and_tell(options, *scenario, *world, models, *positions, line);
+}
+
+}  // namespace mayfly::app

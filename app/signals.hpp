@@ -1,0 +1,22 @@
+// Ctrl-C stops the swarm first, then the program.
+#pragma once
+
+#include "controller/flight/flight.hpp"
+
+namespace mayfly::app {
+
+// From construction to destruction SIGINT and SIGTERM raise stop(): the first asks the swarm to hold, the
+// second is the emergency stop. The third ends the program at once. One at a time.
+class StopSignals {
+ public:
+  StopSignals();
+  StopSignals(const StopSignals&) = delete;
+  StopSignals& operator=(const StopSignals&) = delete;
+  ~StopSignals();
+
+  const StopRequest& stop() const noexcept;
+  // The signal that came last; 0 where none did.
+  int signal_number() const noexcept;
+};
+
+}  // namespace mayfly::app

@@ -1,0 +1,107 @@
+#include "app/summary_table.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+
+namespace mayfly::app {
+namespace {
+
+constexpr std::size_t kMostFaults = 5;
+
+using Out = std::back_insert_iterator<std::string>;
+
+template <class Number>
+std::string or_dash(const char* format, const std::optional<Number>& value) {
+  return value ? fmt::format(fmt::runtime(format), *value) : "not measured";
+}
+
+void line(Out out, std::string_view name, std::string_view text) {
+  fmt::format_to(out, "  {:<16} {}\n", name, text);
+}
+
+void add_motion(Out out, const Summary& s) {
+  if (s.reached_fraction) {
+    line(out, "reached",
+         fmt::format("{:.4g} % of the agents entered their goal", 100.0 * *s.reached_fraction));
+  }
+  line(out, "separation",
+       fmt::format("{} at least, {} collisions", or_dash("{:.4g} m", s.min_separation_m),
+                   or_dash("{}", s.collisions)));
+  line(out, "obstacles", fmt::format("{} agent-ticks inside", or_dash("{}", s.penetrations)));
+  if (s.mde_percent) {
+    line(out, "moved by MDE", fmt::format("{:.3g} % of the agents a tick", *s.mde_percent));
+  }
+  line(out, "at most",
+       fmt::format("{}, {}", or_dash("{:.3g} m/s", s.max_speed_mps),
+                   or_dash("{:.3g} m/s²", s.max_acceleration_mps2)));
+  line(out, "governor", fmt::format("{} interventions (agent-ticks)", s.governor_interventions));
+}
+
+void add_timing(Out out, const Summary& s, bool real_time) {
+  const auto& p = s.preprocessing_s;
+  line(out, "fields",
+       fmt::format("distance {:.3f} s{}, cost {:.3f} s{}", p.distance, p.distance_cached ? " (cached)" : "",
+                   p.cost, p.cost_cached ? " (cached)" : ""));
+  line(out, "work",
+       fmt::format("{:.0f} µs a tick (median), 99 % below {:.0f} µs, {}", s.control.run_us.p50,
+                   s.control.run_us.p99, or_dash("{:.0f} ns an agent", s.ns_per_agent_tick)));
+  if (real_time) {
+    const LatencySummary& j = s.control.jitter_us;
+    line(out, "jitter",
+         fmt::format("{:.0f} µs (median), 99 % below {:.0f} µs, 99.9 % below {:.0f} µs, {:.0f} µs at worst",
+                     j.p50, j.p99, j.p999, j.max));
+    line(out, "missed",
+         fmt::format("{} of {} releases, {} of them because the machine woke us late", s.control.missed,
+                     s.control.ticks + s.control.missed, s.control.missed_by_machine));
+  }
+}
+
+void add_faults(Out out, const Summary& s) {
+  if (s.faults.empty()) {
+    line(out, "faults", "none");
+    return;
+  }
+  line(out, "faults", fmt::format("{}", s.faults.size()));
+  for (std::size_t i = 0; i < std::min(kMostFaults, s.faults.size()); ++i) {
+    const FaultEvent& f = s.faults[i];
+    line(out, "",
+         fmt::format("{:.2f} s  {} on {}: {}", f.time_s, f.robot.empty() ? "all robots" : f.robot, f.link,
+                     f.cause));
+  }
+  if (s.faults.size() > kMostFaults) {
+    line(out, "", fmt::format("… and {} more, in the summary file", s.faults.size() - kMostFaults));
+  }
+}
+
+void add_expectations(Out out, const Summary& s) {
+  std::size_t width = 0;
+  for (const ExpectationResult& result : s.expect) {
+    width = std::max(width, result.name.size());
+  }
+  for (const ExpectationResult& result : s.expect) {
+    fmt::format_to(out, "  {} {:<{}}  {}, wanted {}\n", result.pass ? "pass" : "FAIL", result.name, width,
+                   or_dash("{:.6g}", result.value), result.wanted);
+  }
+}
+
+}  // namespace
+
+std::string summary_table(const Summary& s, bool real_time) {
+  std::string text;
+  const Out out(text);
+  fmt::format_to(out, "{}: {} agent{}, {} engine, HAL {}, seed {}{}\n", s.scenario, s.agents,
+                 s.agents == 1 ? "" : "s", s.engine, s.hal, s.seed,
+                 s.stopped_by_user ? "; stopped by the user" : "");
+  line(out, "flown",
+       fmt::format("{:.4g} s in {:.3g} s ({:.3g} × real time), {} ticks at {:.4g} Hz", s.simulated_s,
+                   s.wall_s, s.realtime_factor, s.ticks, s.control.rate_hz));
+  add_motion(out, s);
+  add_timing(out, s, real_time);
+  add_faults(out, s);
+  add_expectations(out, s);
+  return text;
+}
+
+}  // namespace mayfly::app
