@@ -17,24 +17,28 @@ typedef struct {
   float wall_reach;     // m: further out than this nothing of a wall is felt
   float cruise_speed;   // m/s, s0
   float slow_down;      // m over which the speed falls to 0 at an agent's place in its goal
+  float goal_margin;    // m of depth over which an agent turns to that place
   float radius;         // m, of the body
   float approach_rate;  // 1/s: an agent nears a wall no faster than this times its clearance
 } MfField;
 
 // V_g = −∇C/|∇C| · s0 (Wang14 Eq. 8). The guide holds a unit direction and C/A (m; inside the goal minus the
-// depth) in each cell. An agent settles `settle` metres deep in its goal: a swarm fills its goal instead of
-// piling up on its face.
-MF_FN F3 mf_global_velocity(const MfCube* cube, F settle, const MF_GLOBAL float* guide,
+// depth) in each cell. Inside its goal an agent turns to its own place there and slows down towards it: a
+// swarm fills its goal instead of piling up on its face, and does not oscillate through it.
+MF_FN F3 mf_global_velocity(F3 r, F3 rest, const MfCube* cube, const MF_GLOBAL float* guide,
                             const MfField* field) {
-  const F3 direction =
+  const F3 down =
       mf3_unit(mf3(mf_sample(guide, cube, 4, 0), mf_sample(guide, cube, 4, 1), mf_sample(guide, cube, 4, 2)));
-  const F to_go = mf_sample(guide, cube, 4, 3) + settle;
-  return mf3_scale(direction, field->cruise_speed * mf_ramp(to_go * (1.0f / field->slow_down)));
+  const F depth = -mf_sample(guide, cube, 4, 3);
+  const F inside = mf_ramp(depth * (1.0f / field->goal_margin));
+  const F3 home = mf3_sub(rest, r);
+  const F3 direction = mf3_unit(mf3_add(mf3_scale(down, 1.0f - inside), mf3_scale(mf3_unit(home), inside)));
+  const F slowed = mf_ramp(mf3_length(home) * (1.0f / field->slow_down));
+  return mf3_scale(direction, field->cruise_speed * (1.0f - inside * (1.0f - slowed)));
 }
 
 // Limits the speed at which v approaches a wall to approach_rate × clearance, and leads out of the body's own
-// radius: with it, a plant that lags by less than a quarter of 1/approach_rate comes to a wall without
-// passing it.
+// radius.
 MF_FN F3 mf_guard_wall(F3 v, const MfSurface* s, const MfField* field) {
   const F3 n = mf3_unit(s->gradient);
   const F slowest = -(s->value - field->radius) * field->approach_rate;
@@ -54,10 +58,10 @@ MF_FN F3 mf_field_guard(F3 r, F3 v, const MfField* field, const MF_GLOBAL float*
 // The preferred velocity of eight agents at r (m). walls: spline coefficients of φ (m), guide: 4 floats a
 // cell, both on field->grid; table: Perlin's permutation. The coefficients themselves, interpolated, tell
 // well enough whether a wall is anywhere near.
-MF_FN F3 mf_field_velocity(F3 r, F settle, const MfField* field, const MF_GLOBAL float* walls,
+MF_FN F3 mf_field_velocity(F3 r, F3 rest, const MfField* field, const MF_GLOBAL float* walls,
                            const MF_GLOBAL float* guide, const MF_GLOBAL int* table) {
   const MfCube cube = mf_cube(r, &field->grid);
-  const F3 guided = mf_global_velocity(&cube, settle, guide, field);
+  const F3 guided = mf_global_velocity(r, rest, &cube, guide, field);
   F3 noise = mf3_splat(0.0f, 0.0f, 0.0f);
   if (field->has_noise) noise = mf_curl_noise(r, &field->noise, table);
   F3 v = mf3_add(noise, guided);

@@ -4,8 +4,8 @@
 
 #include "kernels/lane.h"
 
-// All robots of one plant are one block of floats: columns of `stride` floats each, in this order. `stride` is a multiple
-// of MF_LANES; unused robots are zero.
+// All robots of one plant are one block of floats: columns of `stride` floats each, in this order. `stride`
+// is a multiple of MF_LANES; unused robots are zero.
 #define MF_PLANT_X 0                  // x, y, z: m
 #define MF_PLANT_VX 3                 // vx, vy, vz: m/s
 #define MF_PLANT_UX 6                 // ux, uy, uz: the commanded velocity, m/s
@@ -57,15 +57,16 @@ MF_FN MfMotion mf_step_double_integrator(MfMotion s, F3 u, F most, MfPlant plant
   return s;
 }
 
-// τ dv/dt = u − v, solved exactly over a step in which u is constant, position as well. A robot has only so much thrust:
-// where the exact answer needs |v⁺ − v| > most, it accelerates as hard as it can instead.
+// τ dv/dt = u − v, solved exactly over a step in which u is constant, position as well. A robot has only so
+// much thrust: where the exact answer needs |v⁺ − v| > most, it accelerates as hard as it can instead.
 MF_FN MfMotion mf_step_velocity_lag(MfMotion s, F3 u, F most, MfPlant plant) {
   const F3 behind = mf3_sub(s.v, u);
   const F3 wanted = mf3_add(u, mf3_scale(behind, mf_splat(plant.decay)));
   const F3 change = mf3_sub(wanted, s.v);
   const I too_hard = mf3_dot(change, change) > most * most;
   const F3 limited = mf3_add(s.v, mf_shorten(change, most));
-  const F3 exact = mf3_add(mf3_add(s.p, mf3_scale(u, mf_splat(plant.dt))), mf3_scale(behind, mf_splat(plant.reach)));
+  const F3 exact =
+      mf3_add(mf3_add(s.p, mf3_scale(u, mf_splat(plant.dt))), mf3_scale(behind, mf_splat(plant.reach)));
   s.p = mf3_select(too_hard, mf_trapezoid(s.p, s.v, limited, plant.dt), exact);
   s.v = mf3_select(too_hard, limited, wanted);
   return s;
@@ -80,8 +81,8 @@ MF_FN void mf_store3(MF_GLOBAL float* column, int stride, F3 v) {
   mf_store(column + 2 * stride, v.z);
 }
 
-// Takes plant.steps steps with the eight robots from `first` on. `kind` is a literal at each call, so that the choice
-// costs nothing.
+// Takes plant.steps steps with the eight robots from `first` on. `kind` is a literal at each call, so that
+// the choice costs nothing.
 MF_FN void mf_run_plant(MF_GLOBAL float* block, int stride, int first, MfPlant plant, int kind) {
   MF_GLOBAL float* const robots = block + first;
   const F fastest = mf_load(robots + MF_PLANT_MAX_SPEED * stride);

@@ -14,23 +14,24 @@
 
 namespace mayfly {
 
+struct PositionColumns {
+  std::span<const float> x, y, z;  // m
+};
+
 // One swarm as an engine sees it: a range of agents and what they fly by.
 struct SwarmModel {
   std::size_t first = 0;
   std::size_t count = 0;
   kernels::MfField field{};
-  std::span<const float> walls;   // spline coefficients of φ on field.grid, m (fields/spline.hpp)
-  std::span<const float> guide;   // 4 floats a cell
-  std::span<const float> settle;  // m, one an agent of this swarm: how deep in the goal it comes to rest
-  float separation = 0.0F;        // m; two agents keep half the sum of theirs
-  int mde_sweeps = 0;             // at most; 0 for none
+  std::span<const float> walls;  // spline coefficients of φ on field.grid, m (fields/spline.hpp)
+  std::span<const float> guide;  // 4 floats a cell
+  PositionColumns rest;          // one an agent of this swarm: its place in the goal
+  float separation = 0.0F;       // m; two agents keep half the sum of theirs
+  int mde_sweeps = 0;            // at most; 0 for none
 };
 
 struct VelocityColumns {
   std::span<float> x, y, z;  // m/s
-};
-struct PositionColumns {
-  std::span<const float> x, y, z;  // m
 };
 
 class Engine {

@@ -10,7 +10,6 @@
 namespace mayfly {
 namespace {
 
-using kernels::F;
 using kernels::F3;
 
 // Agents a thread takes at the least: below it, waking a second thread costs more than it brings.
@@ -26,12 +25,6 @@ F3 load3(std::span<const float> x, std::span<const float> y, std::span<const flo
   std::copy_n(&y[a], lanes, column[1]);
   std::copy_n(&z[a], lanes, column[2]);
   return kernels::mf3(kernels::mf_load(column[0]), kernels::mf_load(column[1]), kernels::mf_load(column[2]));
-}
-
-F load1(std::span<const float> values, std::size_t a, std::size_t lanes) {
-  float column[MF_LANES] = {};
-  std::copy_n(&values[a], lanes, column);
-  return kernels::mf_load(column);
 }
 
 class NativeEngine final : public Engine, private DisplacementSweep {
@@ -64,8 +57,9 @@ class NativeEngine final : public Engine, private DisplacementSweep {
     const std::size_t a = swarm.first + local;
     const std::size_t lanes = std::min<std::size_t>(MF_LANES, swarm.count - local);
     const F3 r = load3(at.x, at.y, at.z, a, lanes);
-    const F3 v = kernels::mf_field_velocity(r, load1(swarm.settle, local, lanes), &swarm.field,
-                                            swarm.walls.data(), swarm.guide.data(), kPermutation.data());
+    const F3 v =
+        kernels::mf_field_velocity(r, load3(swarm.rest.x, swarm.rest.y, swarm.rest.z, local, lanes),
+                                   &swarm.field, swarm.walls.data(), swarm.guide.data(), kPermutation.data());
     const int stored = static_cast<int>(lanes);
     kernels::mf_store_first(&out.x[a], v.x, stored);
     kernels::mf_store_first(&out.y[a], v.y, stored);

@@ -81,23 +81,21 @@ struct Columns3 {
 
 // A swarm's own tables on the device.
 struct SwarmTables {
-  Buffer<float> walls, guide, settle;
+  Buffer<float> walls, guide;
+  Columns3 rest;
 };
 
 Result<SwarmTables> upload_tables(const Device& device, const SwarmModel& swarm) {
   auto walls = Buffer<float>::create_from(device, swarm.walls);
   auto guide = Buffer<float>::create_from(device, swarm.guide);
-  auto settle = Buffer<float>::create(device, swarm.settle.size() + MF_LANES);
-  for (auto* buffer : {&walls, &guide, &settle}) {
-    if (!*buffer) {
-      return fail(std::move(buffer->error()));
-    }
+  auto rest = Columns3::create(device, swarm.count + MF_LANES);
+  if (!walls || !guide || !rest) {
+    return fail(Cause::kEnvironment, "OpenCL: no memory for the fields of a swarm");
   }
-  std::copy(swarm.settle.begin(), swarm.settle.end(), settle->data().begin());
-  if (const Status status = settle->unmap(); !status.ok()) {
+  if (const Status status = rest->upload(swarm.rest.x, swarm.rest.y, swarm.rest.z); !status.ok()) {
     return fail(Cause::kEnvironment, "OpenCL buffer: " + std::string(compute::name_of(status)));
   }
-  return SwarmTables{std::move(*walls), std::move(*guide), std::move(*settle)};
+  return SwarmTables{std::move(*walls), std::move(*guide), std::move(*rest)};
 }
 
 // What exists once the agents are known.
@@ -192,10 +190,10 @@ class OpenclEngine final : public Engine, private DisplacementSweep {
     for (std::size_t s = 0; s < swarms_.size(); ++s) {
       const SwarmModel& swarm = swarms_[s];
       const SwarmTables& tables = f.tables[s];
-      const Status set =
-          velocity_.set(f.at.x, f.at.y, f.at.z, tables.settle, f.velocity.x, f.velocity.y, f.velocity.z,
-                        static_cast<int>(swarm.first), static_cast<int>(swarm.count), swarm.field,
-                        tables.walls, tables.guide, f.permutation);
+      const Status set = velocity_.set(f.at.x, f.at.y, f.at.z, tables.rest.x, tables.rest.y, tables.rest.z,
+                                       f.velocity.x, f.velocity.y, f.velocity.z,
+                                       static_cast<int>(swarm.first), static_cast<int>(swarm.count),
+                                       swarm.field, tables.walls, tables.guide, f.permutation);
       if (!set.ok()) {
         return set;
       }

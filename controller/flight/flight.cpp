@@ -86,6 +86,16 @@ MetricsConfig metrics_config(const Scenario& scenario, const World& world) {
   return config;
 }
 
+// How long a robot takes to fly as it is told, s: the lag of its velocity and the age of what is known of it.
+float response_time(const Scenario& scenario, const SwarmSpec& swarm) {
+  for (const HalSpec& hal : scenario.hals) {
+    if (hal.name == swarm.robots) {
+      return hal.sim.delay + (hal.sim.plant == PlantKind::kVelocityLag ? hal.sim.time_constant : 0.0F);
+    }
+  }
+  return 0.0F;
+}
+
 // One flight's state: columns taken at the start, and what a tick does with them.
 class Flight {
  public:
@@ -97,6 +107,8 @@ class Flight {
         metrics_(std::move(metrics)),
         estimate_(agents_),
         truth_(agents_),
+        lead_(lead_times(parts.scenario)),
+        ahead_(agents_),
         desired_(agents_),
         command_(agents_),
         kind_(agents_, CommandKind::kHold) {}
@@ -138,9 +150,28 @@ class Flight {
     metrics_.observe({seen.x, seen.y, seen.z, seen.vx, seen.vy, seen.vz});
   }
 
+  static std::vector<float> lead_times(const Scenario& scenario) {
+    std::vector<float> lead;
+    for (const SwarmSpec& swarm : scenario.swarms) {
+      lead.insert(lead.end(), static_cast<std::size_t>(swarm.count), response_time(scenario, swarm));
+    }
+    return lead;
+  }
+
+  // The model steers p + τ·v: of a robot whose velocity lags by τ this point moves exactly as commanded, so
+  // the model's paths and distances hold for it, and the robot trails it.
+  void look_ahead() noexcept {
+    for (std::size_t a = 0; a < agents_; ++a) {
+      ahead_.x[a] = estimate_.x[a] + lead_[a] * estimate_.vx[a];
+      ahead_.y[a] = estimate_.y[a] + lead_[a] * estimate_.vy[a];
+      ahead_.z[a] = estimate_.z[a] + lead_[a] * estimate_.vz[a];
+    }
+  }
+
   void decide(Time now) noexcept {
     const auto period_s = static_cast<float>(to_seconds(period_));
-    moved_ += parts_.engine.compute({estimate_.x, estimate_.y, estimate_.z}, period_s, desired_.writable());
+    look_ahead();
+    moved_ += parts_.engine.compute({ahead_.x, ahead_.y, ahead_.z}, period_s, desired_.writable());
     const std::string_view fault = parts_.engine.fault();
     faults_.note(
         engine_source_, now,
@@ -201,6 +232,8 @@ class Flight {
   Metrics metrics_;
   Estimate estimate_;
   Estimate truth_;
+  std::vector<float> lead_;  // s, one an agent
+  Columns3 ahead_;
   Columns3 desired_;
   Columns3 command_;
   std::vector<CommandKind> kind_;

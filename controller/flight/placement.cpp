@@ -1,12 +1,11 @@
 #include "controller/flight/placement.hpp"
 
-#include <Random123/philox.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <string>
-#include <unordered_map>
+
+#include "controller/flight/scatter.hpp"
 
 namespace mayfly {
 namespace {
@@ -15,67 +14,6 @@ namespace {
 constexpr std::uint32_t kMostTries = 20'000;
 // Keeps these draws apart from every other use of the seed.
 constexpr std::uint32_t kPlacementStream = 0x91ACE000U;
-
-// Three numbers in [0, 1), keyed by (seed, swarm, agent, try): no draw depends on another.
-glm::vec3 draw(std::uint64_t seed, std::uint32_t swarm, std::uint32_t agent, std::uint32_t attempt) {
-  const r123::Philox4x32::ctr_type counter{{agent, attempt, swarm, kPlacementStream}};
-  const r123::Philox4x32::key_type key{
-      {static_cast<std::uint32_t>(seed), static_cast<std::uint32_t>(seed >> 32U)}};
-  const auto word = r123::Philox4x32()(counter, key);
-  const auto unit = [](std::uint32_t w) { return static_cast<float>(w >> 8U) * 0x1p-24F; };
-  return {unit(word[0]), unit(word[1]), unit(word[2])};
-}
-
-// The places taken so far, in cubes as wide as the largest separation.
-class Taken {
- public:
-  explicit Taken(float cell) : cell_(std::max(cell, 1e-3F)) {}
-
-  bool is_free(glm::vec3 p, float half_separation) const {
-    const glm::ivec3 c = cell_of(p);
-    for (int k = -1; k <= 1; ++k) {
-      for (int j = -1; j <= 1; ++j) {
-        for (int i = -1; i <= 1; ++i) {
-          if (blocks(c + glm::ivec3(i, j, k), p, half_separation)) {
-            return false;
-          }
-        }
-      }
-    }
-    return true;
-  }
-  void take(glm::vec3 p, float half_separation) {
-    cells_[key_of(cell_of(p))].push_back({p, half_separation});
-  }
-
- private:
-  struct Body {
-    glm::vec3 at;
-    float half_separation;
-  };
-
-  glm::ivec3 cell_of(glm::vec3 p) const {
-    return {static_cast<int>(std::floor(p.x / cell_)), static_cast<int>(std::floor(p.y / cell_)),
-            static_cast<int>(std::floor(p.z / cell_))};
-  }
-  static std::uint64_t key_of(glm::ivec3 c) {
-    constexpr std::uint64_t kMask = (std::uint64_t{1} << 21U) - 1U;
-    const auto part = [](int v) { return static_cast<std::uint64_t>(static_cast<std::uint32_t>(v)) & kMask; };
-    return part(c.x) | part(c.y) << 21U | part(c.z) << 42U;
-  }
-  bool blocks(glm::ivec3 cell, glm::vec3 p, float half_separation) const {
-    const auto found = cells_.find(key_of(cell));
-    return found != cells_.end() &&
-           std::any_of(found->second.begin(), found->second.end(), [&](const Body& body) {
-             const glm::vec3 d = body.at - p;
-             const float least = body.half_separation + half_separation;
-             return d.x * d.x + d.y * d.y + d.z * d.z < least * least;
-           });
-  }
-
-  float cell_;
-  std::unordered_map<std::uint64_t, std::vector<Body>> cells_;
-};
 
 // Why tries were turned down; the largest number names the error.
 struct Refusals {
@@ -115,7 +53,8 @@ Result<void> place_swarm(const Scenario& scenario, const World& world, std::uint
     Refusals refusals;
     bool placed = false;
     for (std::uint32_t attempt = 0; attempt < kMostTries && !placed; ++attempt) {
-      const glm::vec3 u = draw(scenario.seed, index, static_cast<std::uint32_t>(agent), attempt);
+      const glm::vec3 u = draw_unit_cube(
+          {scenario.seed, kPlacementStream, index, static_cast<std::uint32_t>(agent), attempt});
       const glm::vec3 p = box.min + u * (box.max - box.min);
       if (!is_inside(swarm.start, p)) {
         continue;

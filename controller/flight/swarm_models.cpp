@@ -1,29 +1,18 @@
 #include "controller/flight/swarm_models.hpp"
 
-#include <Random123/philox.h>
-
 #include <algorithm>
 #include <cmath>
+
+#include "controller/flight/rest_places.hpp"
+#include "controller/flight/scatter.hpp"
 
 namespace mayfly {
 namespace {
 
 constexpr std::uint32_t kNoiseStream = 0x4015E000U;
-constexpr std::uint32_t kSettleStream = 0x5E771E00U;
 
-// The share of a goal's depth at which agents come to rest: none on its very face, where it would not count
-// as inside.
-constexpr float kShallowest = 0.3F;
-constexpr float kDeepest = 0.95F;
-// An agent slows down over the way that it cruises in this time, s, or over the goal's depth if that is less.
+// An agent slows down over the way that it cruises in this time, s.
 constexpr float kSlowDown = 1.0F;
-
-std::uint32_t word(std::uint64_t seed, std::uint32_t swarm, std::uint32_t agent, std::uint32_t stream) {
-  const r123::Philox4x32::ctr_type counter{{agent, 0, swarm, stream}};
-  const r123::Philox4x32::key_type key{
-      {static_cast<std::uint32_t>(seed), static_cast<std::uint32_t>(seed >> 32U)}};
-  return r123::Philox4x32()(counter, key)[0];
-}
 
 kernels::MfGrid kernel_grid(const Grid& grid) {
   return {grid.origin.x,    grid.origin.y, grid.origin.z, grid.cell,
@@ -42,21 +31,11 @@ kernels::MfNoise kernel_noise(const NoiseSpec& spec, std::uint32_t seed) {
   return noise;
 }
 
-// How fast an agent may near a wall, as a share of its clearance each second. A first-order lag of τ never
-// passes the wall if the rate is at most 1/(4τ) (the pair is then over-damped); a sampled command, if it is
-// at most 1/(4T).
-float approach_rate(const Scenario& scenario, const SwarmSpec& swarm) {
-  float response_s = 1.0F / scenario.control.rate;
-  for (const HalSpec& hal : scenario.hals) {
-    if (hal.name == swarm.robots && hal.sim.plant == PlantKind::kVelocityLag) {
-      response_s += hal.sim.time_constant;
-    }
-    if (hal.name == swarm.robots) {
-      response_s += hal.sim.delay;
-    }
-  }
+// How fast an agent may near a wall, as a share of its clearance each second: a command that holds for a
+// period T never carries it past the wall if that is at most 1/(4T).
+float approach_rate(const Scenario& scenario) {
   constexpr float kFastest = 5.0F;  // 1/s
-  return std::min(kFastest, 0.25F / response_s);
+  return std::min(kFastest, 0.25F * scenario.control.rate);
 }
 
 // The positions of a fast world lie some hundred metres from the origin: rounding there must not eat the
@@ -88,12 +67,23 @@ kernels::MfField kernel_field(const Scenario& scenario, const SwarmSpec& swarm, 
   field.has_walls = world.solid.empty() ? 0 : 1;
   field.boundary = swarm.boundary.value_or(world.grid.cell);
   field.cruise_speed = swarm.cruise_speed;
-  field.slow_down = std::max(std::min(swarm.cruise_speed * kSlowDown, depth), 1e-3F);
+  field.slow_down = swarm.cruise_speed * kSlowDown;
+  field.goal_margin = std::max(std::min(field.slow_down, 0.5F * depth), 1e-3F);
   field.radius = swarm.radius;
-  field.approach_rate = approach_rate(scenario, swarm);
+  field.approach_rate = approach_rate(scenario);
   field.wall_reach =
       std::max(field.boundary + world.grid.cell, swarm.radius + swarm.limits.speed / field.approach_rate);
   return field;
+}
+
+SwarmModels::Places rest_columns(const Scenario& scenario, const World& world, std::uint32_t swarm) {
+  SwarmModels::Places columns;
+  for (const glm::vec3 place : rest_places(scenario, world, swarm)) {
+    columns.x.push_back(place.x);
+    columns.y.push_back(place.y);
+    columns.z.push_back(place.z);
+  }
+  return columns;
 }
 
 }  // namespace
@@ -104,16 +94,12 @@ SwarmModels make_swarm_models(const Scenario& scenario, const World& world) {
   for (std::uint32_t s = 0; s < scenario.swarms.size(); ++s) {
     const SwarmSpec& spec = scenario.swarms[s];
     const fields::CostField& cost = *world.costs[s];
-    const float depth = goal_depth(cost);
-    std::vector<float>& settle = models.settle.emplace_back();
-    for (std::uint32_t agent = 0; agent < static_cast<std::uint32_t>(spec.count); ++agent) {
-      const float share = static_cast<float>(word(scenario.seed, s, agent, kSettleStream) >> 8U) * 0x1p-24F;
-      settle.push_back(depth * (kShallowest + share * (kDeepest - kShallowest)));
-    }
+    models.rest.push_back(rest_columns(scenario, world, s));
     SwarmModel model;
     model.first = first;
     model.count = static_cast<std::size_t>(spec.count);
-    model.field = kernel_field(scenario, spec, world, depth, word(scenario.seed, s, 0, kNoiseStream));
+    model.field = kernel_field(scenario, spec, world, goal_depth(cost),
+                               draw_words({scenario.seed, kNoiseStream, s, 0, 0})[0]);
     model.walls = world.walls;
     model.guide = cost.guide;
     model.separation = separation_with_rounding(scenario, spec.limits.separation);
@@ -122,7 +108,7 @@ SwarmModels make_swarm_models(const Scenario& scenario, const World& world) {
     first += model.count;
   }
   for (std::size_t s = 0; s < models.swarms.size(); ++s) {
-    models.swarms[s].settle = models.settle[s];
+    models.swarms[s].rest = {models.rest[s].x, models.rest[s].y, models.rest[s].z};
   }
   return models;
 }

@@ -11,8 +11,11 @@ namespace mayfly {
 
 // The swarms' models, and the columns that belong to them.
 struct SwarmModels {
+  struct Places {
+    std::vector<float> x, y, z;  // m, one an agent
+  };
   std::vector<SwarmModel> swarms;
-  std::vector<std::vector<float>> settle;  // m, one column a swarm
+  std::vector<Places> rest;  // one a swarm
 
   std::size_t agents() const { return swarms.empty() ? 0 : swarms.back().first + swarms.back().count; }
 };

@@ -20,11 +20,13 @@ struct Columns {
 
 struct SmallWorld {
   static constexpr int kCells = 24;  // of 1 m, from the origin
-  std::vector<float> walls, guide, settle;
+  std::vector<float> walls, guide;
+  std::vector<float> rest_x, rest_y, rest_z;
   std::vector<SwarmModel> swarms;
 
   // `agents` in two swarms of unequal size, so that a swarm's end falls within eight lanes.
-  explicit SmallWorld(std::size_t agents, float separation, bool noise = true) : settle(agents, 1.0F) {
+  explicit SmallWorld(std::size_t agents, float separation, bool noise = true)
+      : rest_x(agents, 23.0F), rest_y(agents, 12.0F), rest_z(agents, 12.0F) {
     for (int k = 0; k < kCells; ++k) {
       for (int j = 0; j < kCells; ++j) {
         for (int i = 0; i < kCells; ++i) {
@@ -49,7 +51,10 @@ struct SmallWorld {
     model.count = count;
     model.walls = walls;
     model.guide = guide;
-    model.settle = std::span<const float>(settle).subspan(first, count);
+    const auto own = [&](const std::vector<float>& column) {
+      return std::span<const float>(column).subspan(first, count);
+    };
+    model.rest = {own(rest_x), own(rest_y), own(rest_z)};
     model.separation = separation;
     model.mde_sweeps = 20;
     kernels::MfField& f = model.field;
@@ -64,6 +69,7 @@ struct SmallWorld {
     f.wall_reach = 2;
     f.cruise_speed = 1.5F;
     f.slow_down = 1.5F;
+    f.goal_margin = 0.5F;
     f.radius = 0.05F;
     f.approach_rate = 5;
     return model;
