@@ -13,7 +13,7 @@ constexpr double kLeft = 92.0;  // room for tick labels and the axis name
 constexpr double kRight = 40.0;
 constexpr double kAbove = 34.0;      // a panel's title
 constexpr double kBelow = 70.0;      // tick labels and axis name below a panel
-constexpr double kTallest = 1500.0;  // of the panels together
+constexpr double kTallest = 1850.0;  // of the panels together
 
 std::array<View, 2> views_of(const glm::vec3& size) {
   if (size.x >= size.y) {
