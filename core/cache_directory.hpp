@@ -10,18 +10,18 @@ namespace mayfly {
 // $MAYFLY_CACHE_DIR, else $XDG_CACHE_HOME/mayfly, else ~/.cache/mayfly; nothing where none of the three is
 // set. The folder may not exist yet. The XDG specification has relative paths ignored.
 inline std::optional<std::filesystem::path> cache_directory() {
-  const auto variable = [](const char* name) -> std::optional<std::filesystem::path> {
+  const auto variable = [](const char* name) {
     const char* value = std::getenv(name);
-    return value == nullptr || *value == '\0' ? std::nullopt : std::optional<std::filesystem::path>(value);
+    return std::filesystem::path(value == nullptr ? "" : value);
   };
-  if (const auto own = variable("MAYFLY_CACHE_DIR")) {
-    return own;
+  if (const auto own = variable("MAYFLY_CACHE_DIR"); !own.empty()) {
+    return {own};
   }
-  if (const auto xdg = variable("XDG_CACHE_HOME"); xdg && xdg->is_absolute()) {
-    return *xdg / "mayfly";
+  if (const auto xdg = variable("XDG_CACHE_HOME"); xdg.is_absolute()) {
+    return xdg / "mayfly";
   }
-  if (const auto home = variable("HOME"); home && home->is_absolute()) {
-    return *home / ".cache" / "mayfly";
+  if (const auto home = variable("HOME"); home.is_absolute()) {
+    return home / ".cache" / "mayfly";
   }
   return std::nullopt;
 }

@@ -8,7 +8,9 @@ namespace mayfly {
 // Nanoseconds since the clock's own start; monotonic. Wall-clock time exists only in labels.
 using Time = std::chrono::nanoseconds;
 
-inline double to_seconds(Time time) { return std::chrono::duration<double>(time).count(); }
+inline double to_seconds(Time time) {
+  return std::chrono::duration<double>(time).count();
+}
 inline Time from_seconds(double seconds) {
   return std::chrono::duration_cast<Time>(std::chrono::duration<double>(seconds));
 }

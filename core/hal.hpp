@@ -2,9 +2,9 @@
 //
 //   configure → activate → (read → write)* → deactivate        (deactivate → activate again is allowed)
 //
-// The order is enforced here, for every HAL alike: a call in the wrong state is refused, counted, and never reaches the
-// robots. read and write neither block, nor allocate, nor throw: I/O threads own the buses and hand over the newest value.
-// One thread calls a HAL; its counters may be read from any.
+// The order is enforced here, for every HAL alike: a call in the wrong state is refused, counted, and never
+// reaches the robots. read and write neither block, nor allocate, nor throw: I/O threads own the buses and
+// hand over the newest value. One thread calls a HAL; its counters may be read from any.
 #pragma once
 
 #include <atomic>
@@ -55,9 +55,10 @@ struct RobotInfo {
 };
 
 // Where read() puts what is known of each robot, one element a robot, in the order of robots().
-// Positions in m, velocities in m/s, world frame. Columns may be longer than robots(); the excess is not touched.
-// `stamp` is when the state was measured, on the run's clock; in real time that may be a little after `now`, by as long as
-// the caller took to call. Where `valid` is 0 the other columns keep their last value.
+// Positions in m, velocities in m/s, world frame. Columns may be longer than robots(); the excess is not
+// touched. `stamp` is when the state was measured, on the run's clock; in real time that may be a little
+// after `now`, by as long as the caller took to call. Where `valid` is 0 the other columns keep their last
+// value.
 struct StateColumns {
   std::span<float> x, y, z;
   std::span<float> vx, vy, vz;
@@ -98,8 +99,8 @@ class Hal {
   HalResult read(Time now, const StateColumns& states) noexcept;
   // Hands one command to each robot. `now` is compared with the deadline.
   HalResult write(Time now, const CommandColumns& commands) noexcept;
-  // Makes every robot safe (hold, land or stop: the device's own choice), then lets go of it. Idempotent, and harmless
-  // in every state; if it fails the HAL stays active, so that it can be tried again.
+  // Makes every robot safe (hold, land or stop: the device's own choice), then lets go of it. Idempotent, and
+  // harmless in every state; if it fails the HAL stays active, so that it can be tried again.
   Result<void> deactivate(Time now);
 
   HalState state() const noexcept { return state_; }
@@ -113,7 +114,8 @@ class Hal {
   virtual Result<void> do_activate(Time now) = 0;
   // Every column is exactly as long as robots().
   virtual HalResult do_read(Time now, const StateColumns& states) noexcept = 0;
-  // `commands` are in sequence, of the right length, finite and not expired: the base class has replaced or refused the rest.
+  // `commands` are in sequence, of the right length, finite and not expired: the base class has replaced or
+  // refused the rest.
   virtual HalResult do_write(Time now, const CommandColumns& commands) noexcept = 0;
   virtual Result<void> do_deactivate(Time now) = 0;
 

@@ -1,5 +1,5 @@
-// What can go wrong while something is being set up, as a value. In the loop nothing is thrown and nothing allocates: see
-// HalResult in core/hal.hpp for what the loop uses instead.
+// What can go wrong while something is being set up, as a value. In the loop nothing is thrown and nothing
+// allocates: see HalResult in core/hal.hpp for what the loop uses instead.
 #pragma once
 
 #include <optional>
@@ -9,8 +9,8 @@
 
 namespace mayfly {
 
-// Who has to act: the caller mends the input, the environment is the machine (a missing file, no memory, no device
-// driver), the device is a robot or its link.
+// Who has to act: the caller mends the input, the environment is the machine (a missing file, no memory, no
+// device driver), the device is a robot or its link.
 enum class Cause { kCaller, kEnvironment, kDevice };
 
 // A place in a text file that a person wrote; lines and columns count from 1, 0 means "not known".
@@ -20,7 +20,8 @@ struct Place {
   int column = 0;
 };
 
-// One problem: what is wrong, where, what was found there, what was wanted, and the nearest valid name, if one is near.
+// One problem: what is wrong, where, what was found there, what was wanted, and the nearest valid name, if
+// one is near.
 struct Error {
   Cause cause = Cause::kCaller;
   std::string message;
@@ -37,7 +38,9 @@ inline tl::unexpected<Error> fail(Cause cause, std::string message) {
   return tl::unexpected<Error>(Error{cause, std::move(message)});
 }
 
-inline tl::unexpected<Error> fail(Error error) { return tl::unexpected<Error>(std::move(error)); }
+inline tl::unexpected<Error> fail(Error error) {
+  return tl::unexpected<Error>(std::move(error));
+}
 
 // "swarm.yaml:12:5: unknown key 'gaol'; wanted one of …; did you mean 'goal'?"
 inline std::string to_string(const Error& error) {

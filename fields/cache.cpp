@@ -3,12 +3,12 @@
 #include <unistd.h>
 
 #include <atomic>
-#include <cstdlib>
 #include <cstring>
 #include <fstream>
 #include <string>
 #include <system_error>
 
+#include "core/cache_directory.hpp"
 #include "fields/hash.hpp"
 
 namespace mayfly::fields {
@@ -27,23 +27,6 @@ struct Header {
   std::uint64_t checksum = 0;
 };
 static_assert(sizeof(Header) == 32);
-
-fs::path default_folder() {
-  const auto variable = [](const char* name) {
-    const char* value = std::getenv(name);  // read once, before any thread of ours runs
-    return value == nullptr ? std::string{} : std::string(value);
-  };
-  if (const std::string own = variable("MAYFLY_CACHE_DIR"); !own.empty()) {
-    return own;
-  }
-  if (const std::string xdg = variable("XDG_CACHE_HOME"); !xdg.empty()) {
-    return fs::path(xdg) / "mayfly";
-  }
-  if (const std::string home = variable("HOME"); !home.empty()) {
-    return fs::path(home) / ".cache" / "mayfly";
-  }
-  return {};
-}
 
 std::uint64_t checksum(std::span<const float> values) noexcept {
   return hash64(std::as_bytes(values));
@@ -87,7 +70,7 @@ fs::path temporary_beside(const fs::path& file) {
 
 }  // namespace
 
-FieldCache::FieldCache() : folder_(default_folder()) {}
+FieldCache::FieldCache() : folder_(cache_directory().value_or(fs::path{})) {}
 
 fs::path FieldCache::file_of(std::string_view key) const {
   return folder_ / (ContentHash{}.add(key).hex() + ".field");

@@ -10,11 +10,11 @@
 
 namespace mayfly::fields {
 
-// Arrays of floats under $MAYFLY_CACHE_DIR, else $XDG_CACHE_HOME/mayfly, else ~/.cache/mayfly, one file each.
-// The file's name is a hash of the key; the whole key and an XXH64 of the payload stand in its header, so
-// neither a clash nor a damaged file is ever taken for the answer. Writing goes to a temporary file that is
-// renamed: two programs may share the folder. Every failure means "compute it": load() answers nothing,
-// store() gives up silently.
+// Arrays of floats in a folder, by default the user's (core/cache_directory.hpp), one file each. The file's
+// name is a hash of the key; the whole key and an XXH64 of the payload stand in its header, so neither a
+// clash nor a damaged file is ever taken for the answer. Writing goes to a temporary file that is renamed:
+// two programs may share the folder. Every failure means "compute it": load() answers nothing, store() gives
+// up silently.
 class FieldCache {
  public:
   FieldCache();

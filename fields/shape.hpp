@@ -11,12 +11,13 @@
 namespace mayfly::fields {
 
 struct MeshShape {
-  std::filesystem::path file;   // absolute, checked to be inside the project or the scenario's tree
-  glm::vec3 position{0.0F};     // m
-  glm::vec3 rotation{0.0F};     // degrees about x, y, z, applied in that order (extrinsic)
-  float scale = 1.0F;           // mesh units → m
-  std::optional<float> fit;     // m: centre the mesh's bounding box on `position` and make its longest side this long
-  bool thin = false;            // an open surface: unsigned distance, a shell of `thickness`
+  std::filesystem::path file;  // absolute, checked to be inside the project or the scenario's tree
+  glm::vec3 position{0.0F};    // m
+  glm::vec3 rotation{0.0F};    // degrees about x, y, z, applied in that order (extrinsic)
+  float scale = 1.0F;          // mesh units → m
+  // m: centre the mesh's bounding box on `position` and make its longest side this long
+  std::optional<float> fit;
+  bool thin = false;               // an open surface: unsigned distance, a shell of `thickness`
   std::optional<float> thickness;  // m, of a thin shell; default one cell
 };
 struct BoxShape {

@@ -1,5 +1,5 @@
-// Steps simulated robots: one work item takes eight of them through a whole batch of steps, because a launch costs more
-// than a step. There are stride / MF_LANES items, rounded up to whole groups.
+// Steps simulated robots: one work item takes eight of them through a whole batch of steps, because a launch
+// costs more than a step. There are stride / MF_LANES items, rounded up to whole groups.
 #include "kernels/plants.h"
 
 __kernel void step_ideal(__global float* block, const int stride, const MfPlant plant) {

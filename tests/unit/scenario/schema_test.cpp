@@ -15,7 +15,9 @@
 namespace mayfly {
 
 // GoogleTest would print its bytes, addresses included, into the names that ctest lists.
-void PrintTo(const Key& key, std::ostream* out) { *out << key.path; }
+void PrintTo(const Key& key, std::ostream* out) {
+  *out << key.path;
+}
 
 namespace {
 
@@ -139,8 +141,8 @@ TEST_P(EveryKey, WhatIsNoNumberIsRefused) {
   if (!is_numeric(GetParam())) {
     return;
   }
-  for (const char* value : {".nan", ".inf", "-.inf", "nan", "inf", "1e999", "0x10", "\"1\"",
-                            "1 parsec", "''", "--1", "+-1"}) {
+  for (const char* value :
+       {".nan", ".inf", "-.inf", "nan", "inf", "1e999", "0x10", "\"1\"", "1 parsec", "''", "--1", "+-1"}) {
     EXPECT_NE(said_of(GetParam(), value), "") << value;
   }
 }
