@@ -1,0 +1,85 @@
+#include "record/summary_json.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+namespace mayfly::record {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using ::testing::ElementsAre;
+
+std::vector<std::string> keys_of(const Json& object) {
+  std::vector<std::string> keys;
+  for (const auto& [key, value] : object.items()) {
+    keys.push_back(key);
+  }
+  return keys;
+}
+
+Summary full() {
+  Summary summary;
+  summary.faults.push_back({1.5, "flies_3", "sim", "silent"});
+  summary.expect.push_back({"reached flies at exit", 1.0, ">= 0.99", true});
+  return summary;
+}
+
+TEST(SummaryJson, KeysAreTheContract) {
+  const auto json = Json::parse(to_json(full()));
+  EXPECT_THAT(keys_of(json),
+              ElementsAre("scenario", "engine", "hal", "seed", "agents", "ticks", "simulated_s", "wall_s",
+                          "realtime_factor", "ns_per_agent_tick", "reached_fraction", "min_separation_m",
+                          "collisions", "penetrations", "mde_percent", "infeasible_agents",
+                          "governor_interventions", "faults", "max_speed_mps", "max_acceleration_mps2",
+                          "control", "preprocessing_s", "expect"));
+  EXPECT_THAT(keys_of(json["control"]),
+              ElementsAre("rate_hz", "ticks", "missed", "missed_by_machine", "jitter_us", "run_us"));
+  EXPECT_THAT(keys_of(json["control"]["jitter_us"]), ElementsAre("p50", "p99", "p999", "max"));
+  EXPECT_THAT(keys_of(json["control"]["run_us"]), ElementsAre("p50", "p99", "p999", "max"));
+  EXPECT_THAT(keys_of(json["preprocessing_s"]), ElementsAre("distance", "noise", "cost"));
+  EXPECT_THAT(keys_of(json["faults"][0]), ElementsAre("time_s", "robot", "link", "cause"));
+  EXPECT_THAT(keys_of(json["expect"][0]), ElementsAre("name", "value", "wanted", "pass"));
+}
+
+TEST(SummaryJson, WhatWasNotMeasuredIsNull) {
+  const auto json = Json::parse(to_json(Summary{}));
+  for (const char* key :
+       {"ns_per_agent_tick", "reached_fraction", "min_separation_m", "collisions", "penetrations",
+        "mde_percent", "infeasible_agents", "max_speed_mps", "max_acceleration_mps2"}) {
+    EXPECT_TRUE(json[key].is_null()) << key;
+  }
+  EXPECT_TRUE(json["faults"].is_array());
+  EXPECT_TRUE(json["expect"].empty());
+}
+
+TEST(SummaryJson, WhatIsNoNumberIsNull) {
+  Summary summary;
+  summary.min_separation_m = std::nan("");
+  summary.wall_s = INFINITY;
+  const auto json = Json::parse(to_json(summary));
+  EXPECT_TRUE(json["min_separation_m"].is_null());
+  EXPECT_TRUE(json["wall_s"].is_null());
+}
+
+TEST(SummaryJson, NamesMayHoldAnything) {
+  Summary summary;
+  summary.scenario = "\"quoted\"\n\xff";
+  EXPECT_TRUE(Json::accept(to_json(summary)));
+}
+
+TEST(SummaryJson, ValuesArrive) {
+  Summary summary;
+  summary.seed = 18446744073709551615U;
+  summary.penetrations = 0;
+  summary.reached_fraction = 0.1;
+  const auto json = Json::parse(to_json(summary));
+  EXPECT_EQ(json["seed"].get<std::uint64_t>(), 18446744073709551615U);
+  EXPECT_EQ(json["penetrations"], 0);
+  EXPECT_EQ(json["reached_fraction"].get<double>(), 0.1);
+}
+
+}  // namespace
+}  // namespace mayfly::record
