@@ -9,7 +9,8 @@ find_package(GTest REQUIRED)
 
 option(MAYFLY_SANITIZED_TESTS "ctest here also runs the tests of build/asan-ubsan and build/tsan, which must be built" OFF)
 
-# Builds what the tsan tree is for, and nothing else.
+# What the sanitizers' trees are for, and nothing else: see scripts/test.
+add_custom_target(sanitized_tests)
 add_custom_target(thread_tests)
 
 add_library(mayfly_sanitizer_options OBJECT EXCLUDE_FROM_ALL ${CMAKE_SOURCE_DIR}/tests/sanitizer_options.cpp)
@@ -44,18 +45,22 @@ function(mayfly_test NAME)
   if("threads" IN_LIST ARG_LABELS)
     add_dependencies(thread_tests test_${NAME})
   endif()
-  if(MAYFLY_SANITIZED_TESTS AND NOT ARG_UNSANITIZED AND NOT MAYFLY_UNSANITIZED_LEVEL)
-    mayfly_sanitized_test(asan-ubsan ${NAME} "${properties}")
+  if(NOT ARG_UNSANITIZED AND NOT MAYFLY_UNSANITIZED_LEVEL)
+    mayfly_sanitized_test(asan-ubsan ${NAME} "${properties}" tests/test_${NAME} --gtest_brief=1)
+    add_dependencies(sanitized_tests test_${NAME})
     if("threads" IN_LIST ARG_LABELS)
-      mayfly_sanitized_test(tsan ${NAME} "${properties}")
+      mayfly_sanitized_test(tsan ${NAME} "${properties}" tests/test_${NAME} --gtest_brief=1)
     endif()
   endif()
 endfunction()
 
-# One ctest entry for a whole executable of another tree, so that a single summary tells of all.
-function(mayfly_sanitized_test PRESET NAME PROPERTIES)
-  add_test(NAME ${PRESET}.${NAME} COMMAND ${CMAKE_SOURCE_DIR}/build/${PRESET}/tests/test_${NAME} --gtest_brief=1)
-  set_tests_properties(${PRESET}.${NAME} PROPERTIES TIMEOUT 600 ${PROPERTIES} LABELS sanitizer)
+# mayfly_sanitized_test(PRESET NAME PROPERTIES PROGRAM arguments ...): one ctest entry for a whole program of another tree, so
+# that a single summary tells of all.
+function(mayfly_sanitized_test PRESET NAME PROPERTIES PROGRAM)
+  if(MAYFLY_SANITIZED_TESTS)
+    add_test(NAME ${PRESET}.${NAME} COMMAND ${CMAKE_SOURCE_DIR}/build/${PRESET}/${PROGRAM} ${ARGN})
+    set_tests_properties(${PRESET}.${NAME} PROPERTIES TIMEOUT 600 ${PROPERTIES} LABELS sanitizer)
+  endif()
 endfunction()
 
 # Adds every directory below DIRECTORY that has a CMakeLists.txt: a new test room needs no line anywhere else.
