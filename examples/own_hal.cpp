@@ -3,9 +3,9 @@
 #include <glm/vec3.hpp>
 #include "core/hal.hpp"
 
-using namespace mayfly;
+using mayfly::CommandKind, mayfly::HalResult, mayfly::Result, mayfly::RobotInfo, mayfly::Time;
 
-class MyHal final : public Hal {
+class MyHal final : public mayfly::Hal {
  public:
   explicit MyHal(std::size_t robots) : infos_(robots), places_(robots), speeds_(robots) {
     for (std::size_t i = 0; i < robots; ++i) infos_[i] = {"point" + std::to_string(i), "air"};
@@ -17,7 +17,7 @@ class MyHal final : public Hal {
   Result<void> do_configure() override { return {}; }
   Result<void> do_activate(Time now) override { return deadline_ = last_ = now, Result<void>(); }
   Result<void> do_deactivate(Time now) override { return move(now), deadline_ = now, Result<void>(); }
-  HalResult do_read(Time now, const StateColumns& s) noexcept override {
+  HalResult do_read(Time now, const mayfly::StateColumns& s) noexcept override {
     move(now);
     for (std::size_t i = 0; i < infos_.size(); ++i) {
       s.x[i] = places_[i].x, s.y[i] = places_[i].y, s.z[i] = places_[i].z;
@@ -26,17 +26,18 @@ class MyHal final : public Hal {
     }
     return {};
   }
-  HalResult do_write(Time now, const CommandColumns& c) noexcept override {
+  HalResult do_write(Time now, const mayfly::CommandColumns& c) noexcept override {
     move(now);
     for (std::size_t i = 0; i < infos_.size(); ++i) {
-      speeds_[i] = glm::vec3(c.vx[i], c.vy[i], c.vz[i]);
-      if (c.kind[i] != CommandKind::kVelocity) speeds_[i] = glm::vec3(0.0F);
+      const bool flies = c.kind[i] == CommandKind::kVelocity;  // everything else is to hold
+      speeds_[i] = flies ? glm::vec3(c.vx[i], c.vy[i], c.vz[i]) : glm::vec3(0.0F);
     }
     deadline_ = c.deadline;
     return {};
   }
   void move(Time now) noexcept {
-    const auto dt = static_cast<float>(to_seconds(std::max(Time(0), std::min(now, deadline_) - last_)));
+    const auto dt =
+        static_cast<float>(mayfly::to_seconds(std::max(Time(0), std::min(now, deadline_) - last_)));
     for (std::size_t i = 0; i < infos_.size(); ++i) places_[i] += speeds_[i] * dt;
     if (now >= deadline_) std::fill(speeds_.begin(), speeds_.end(), glm::vec3(0.0F));  // nobody leads: hold
     last_ = now;

@@ -1,0 +1,53 @@
+// A test of your own scenario: flown on simulated robots and a virtual clock, and held to what you need of
+// it.
+#include <cstdio>
+#include "controller/clock/virtual_clock.hpp"
+#include "controller/flight/flight.hpp"
+#include "controller/flight/placement.hpp"
+#include "controller/flight/swarm_models.hpp"
+#include "controller/scenario/load.hpp"
+#include "sim_hal/sim_hal.hpp"
+
+constexpr auto kScenario = R"(
+mayfly: 1
+duration: 20
+world:
+  bounds: {min: [0, 0, 0], max: [24, 12, 8]}
+  cell: 0.5
+  obstacles: [{cylinder: {from: [12, 6, 0], to: [12, 6, 8], radius: 2}}]
+  goals: {exit: {box: {min: [19, 2, 2], max: [23, 10, 6]}}}
+swarms:
+  - {name: flies, count: 20, start: {box: {min: [1, 2, 2], max: [5, 10, 6]}}, goal: exit, noise: {scale: 2}}
+hal: {sim: {kind: sim, plant: velocity_lag}}
+)";
+
+int refuse(const std::vector<mayfly::Error>& errors) {
+  for (const mayfly::Error& error : errors) std::puts(to_string(error).c_str());
+  return 2;
+}
+
+int main() {
+  const mayfly::Override more = *mayfly::parse_override("swarms.flies.count=60");  // as --set does
+  const auto scenario = mayfly::load_scenario_text(kScenario, "my_scenario.yaml", {&more, 1});
+  if (!scenario) return refuse(scenario.error());
+  const auto world = mayfly::build_world(*scenario, 0, {});
+  if (!world) return refuse(world.error());
+  const auto places = mayfly::place_agents(*scenario, *world);
+  if (!places) return refuse(places.error());
+
+  const mayfly::SwarmModels models = mayfly::make_swarm_models(*scenario, *world);
+  const auto engine = mayfly::make_native_engine(1);
+  if (!engine->prepare(models.swarms, models.agents())) return 2;
+  mayfly::sim_hal::SimHalConfig robots;
+  robots.plant = mayfly::sim_hal::Plant::kVelocityLag;
+  robots.positions = *places;
+  for (int i = 0; i < 60; ++i) robots.robot_names.push_back("fly" + std::to_string(i));
+  mayfly::sim_hal::SimHal hal(std::move(robots));
+  mayfly::VirtualClock clock;
+
+  const auto flown =
+      mayfly::fly({.scenario = *scenario, .world = *world, .engine = *engine, .hal = hal, .clock = clock});
+  if (!flown) return refuse({flown.error()});
+  std::printf("%g reached, %g m apart at least\n", *flown->reached_fraction, *flown->min_separation_m);
+  return flown->reached_fraction == 1.0 && flown->penetrations == 0U && flown->collisions == 0U ? 0 : 1;
+}
