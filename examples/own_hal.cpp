@@ -36,9 +36,8 @@ class MyHal final : public mayfly::Hal {
     return {};
   }
   void move(Time now) noexcept {
-    const auto dt =
-        static_cast<float>(mayfly::to_seconds(std::max(Time(0), std::min(now, deadline_) - last_)));
-    for (std::size_t i = 0; i < infos_.size(); ++i) places_[i] += speeds_[i] * dt;
+    const std::chrono::duration<float> dt = std::max(Time(0), std::min(now, deadline_) - last_);
+    for (std::size_t i = 0; i < infos_.size(); ++i) places_[i] += speeds_[i] * dt.count();
     if (now >= deadline_) std::fill(speeds_.begin(), speeds_.end(), glm::vec3(0.0F));  // nobody leads: hold
     last_ = now;
   }
