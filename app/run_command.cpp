@@ -122,7 +122,7 @@ int run(const RunOptions& options) {
     return refuse(scenario.error());
   }
   ProgressLine line(!options.quiet);
-  const auto world = build_world(*scenario, options.threads, line.stages());
+  auto world = build_world(*scenario, options.threads, line.stages());
   line.clear();
   if (!world) {
     return refuse(world.error());
@@ -135,6 +135,7 @@ int run(const RunOptions& options) {
     return refuse(positions.error());
   }
   const SwarmModels models = make_swarm_models(*scenario, *world);
+  world->preprocessing.noise = models.noise_s;
   log_detail(fmt::format("world: {} cells, {} triangles", world->grid.size(), world->solid.triangle_count()));
   return fly_and_tell(options, *scenario, *world, models, *positions, line);
 }

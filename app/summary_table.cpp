@@ -44,11 +44,13 @@ void add_timing(Out out, const Summary& s, bool real_time) {
   line(out, "fields",
        fmt::format("distance {:.3f} s{}, cost {:.3f} s{}", p.distance, p.distance_cached ? " (cached)" : "",
                    p.cost, p.cost_cached ? " (cached)" : ""));
-  line(out, "work",
-       fmt::format("{:.0f} µs a tick (median), 99 % below {:.0f} µs, {}", s.control.run_us.p50,
-                   s.control.run_us.p99, or_dash("{:.0f} ns an agent", s.ns_per_agent_tick)));
-  if (real_time) {
-    const LatencySummary& j = s.control.jitter_us;
+  if (s.control.run_us) {
+    line(out, "work",
+         fmt::format("{:.0f} µs a tick (median), 99 % below {:.0f} µs, {}", s.control.run_us->p50,
+                     s.control.run_us->p99, or_dash("{:.0f} ns an agent", s.ns_per_agent_tick)));
+  }
+  if (real_time && s.control.jitter_us) {
+    const LatencySummary& j = *s.control.jitter_us;
     line(out, "jitter",
          fmt::format("{:.0f} µs (median), 99 % below {:.0f} µs, 99.9 % below {:.0f} µs, {:.0f} µs at worst",
                      j.p50, j.p99, j.p999, j.max));

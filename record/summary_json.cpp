@@ -18,11 +18,14 @@ Json number(const std::optional<std::uint64_t>& value) {
   return value ? Json(*value) : Json();
 }
 
-Json latency(const LatencySummary& latency) {
-  return {{"p50", number(latency.p50)},
-          {"p99", number(latency.p99)},
-          {"p999", number(latency.p999)},
-          {"max", number(latency.max)}};
+Json latency(const std::optional<LatencySummary>& latency) {
+  if (!latency) {
+    return {{"p50", Json()}, {"p99", Json()}, {"p999", Json()}, {"max", Json()}};
+  }
+  return {{"p50", number(latency->p50)},
+          {"p99", number(latency->p99)},
+          {"p999", number(latency->p999)},
+          {"max", number(latency->max)}};
 }
 
 Json control(const ControlSummary& control) {

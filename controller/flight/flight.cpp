@@ -7,6 +7,7 @@
 #include "controller/flight/estimate.hpp"
 #include "controller/flight/expectations.hpp"
 #include "controller/flight/fault_log.hpp"
+#include "controller/flight/swarm_models.hpp"
 #include "controller/governor/governor.hpp"
 #include "controller/metrics/metrics.hpp"
 
@@ -53,11 +54,7 @@ GovernorConfig governor_config(const Scenario& scenario, const World& world) {
     group.limits.acceleration = swarm.limits.acceleration;
     group.limits.braking = swarm.limits.acceleration;
     group.limits.radius = swarm.radius;
-    for (const HalSpec& hal : scenario.hals) {
-      if (hal.name == swarm.robots && hal.sim.plant == PlantKind::kVelocityLag) {
-        group.limits.response_time = hal.sim.time_constant;
-      }
-    }
+    group.limits.response_time = response_time(scenario, swarm);
     config.groups.push_back(group);
     first += group.count;
   }
@@ -84,16 +81,6 @@ MetricsConfig metrics_config(const Scenario& scenario, const World& world) {
   };
   config.obstacles = obstacle_view(world);
   return config;
-}
-
-// How long a robot takes to fly as it is told, s: the lag of its velocity and the age of what is known of it.
-float response_time(const Scenario& scenario, const SwarmSpec& swarm) {
-  for (const HalSpec& hal : scenario.hals) {
-    if (hal.name == swarm.robots) {
-      return hal.sim.delay + (hal.sim.plant == PlantKind::kVelocityLag ? hal.sim.time_constant : 0.0F);
-    }
-  }
-  return 0.0F;
 }
 
 // One flight's state: columns taken at the start, and what a tick does with them.
@@ -249,8 +236,8 @@ class Flight {
   std::atomic<bool> finished_{false};
 };
 
-LatencySummary told(const std::optional<Percentiles>& p) {
-  return p ? LatencySummary{p->p50, p->p99, p->p999, p->max} : LatencySummary{};
+std::optional<LatencySummary> told(const std::optional<Percentiles>& p) {
+  return p ? std::optional(LatencySummary{p->p50, p->p99, p->p999, p->max}) : std::nullopt;
 }
 
 bool has_mde(const Scenario& scenario) {
@@ -288,8 +275,12 @@ Summary Flight::summarise(const Executor& executor, double wall_s) const {
   s.governor_interventions = governor_.counters().interventions;
   s.faults = faults_.told(parts_.hal.robots());
   const TaskStats control = executor.stats().front();
-  s.control = {control.rate_hz,           control.ticks,        control.missed,
-               control.missed_by_machine, told(control.jitter), told(control.run)};
+  s.control = {control.rate_hz,
+               control.ticks,
+               control.missed,
+               control.missed_by_machine,
+               parts_.clock.is_virtual() ? std::nullopt : told(control.jitter),
+               told(control.run)};
   s.preprocessing_s = parts_.world.preprocessing;
   s.stopped_by_user = stopped_by_user();
   s.expect = hold_expectations(scenario.expect, s, [&](const std::string& name) -> std::optional<double> {

@@ -15,10 +15,10 @@ struct LatencySummary {  // µs
 struct ControlSummary {
   double rate_hz = 0;
   std::uint64_t ticks = 0;
-  std::uint64_t missed = 0;             // releases that no tick served in time
-  std::uint64_t missed_by_machine = 0;  // of them, where we slept in time and the machine woke us late
-  LatencySummary jitter_us;             // wake-up minus scheduled release
-  LatencySummary run_us;                // our own work
+  std::uint64_t missed = 0;                 // releases that no tick served in time
+  std::uint64_t missed_by_machine = 0;      // of them, where we slept in time and the machine woke us late
+  std::optional<LatencySummary> jitter_us;  // wake-up minus scheduled release; a virtual clock has none
+  std::optional<LatencySummary> run_us;     // our own work
 };
 
 struct FaultEvent {

@@ -1,6 +1,7 @@
 #include "controller/flight/swarm_models.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 
 #include "controller/flight/rest_places.hpp"
@@ -38,13 +39,19 @@ float approach_rate(const Scenario& scenario) {
   return std::min(kFastest, 0.25F * scenario.control.rate);
 }
 
-// The positions of a fast world lie some hundred metres from the origin: rounding there must not eat the
-// separation.
-float separation_with_rounding(const Scenario& scenario, float separation) {
+// What MDE keeps, so that `separation` comes of it. Positions lie some hundred metres from the origin, and
+// rounding there must not eat the distance. A robot that lags by τ trails the point that is steered: two of
+// them come nearer than their points by up to τ times their relative velocity, for which the cruise speed
+// stands.
+float enforced_distance(const Scenario& scenario, const SwarmSpec& swarm) {
+  if (swarm.limits.separation <= 0.0F) {
+    return 0.0F;
+  }
   const Box& b = scenario.world.bounds;
   const float farthest = std::max({std::fabs(b.min.x), std::fabs(b.min.y), std::fabs(b.min.z),
                                    std::fabs(b.max.x), std::fabs(b.max.y), std::fabs(b.max.z)});
-  return separation > 0.0F ? separation + 8.0F * (std::nextafter(farthest, INFINITY) - farthest) : 0.0F;
+  const float rounding = 8.0F * (std::nextafter(farthest, INFINITY) - farthest);
+  return swarm.limits.separation + rounding + response_time(scenario, swarm) * swarm.cruise_speed;
 }
 
 // The deepest place of the goal, m from its surface: the guide holds minus the depth there.
@@ -59,10 +66,10 @@ float goal_depth(const fields::CostField& cost) {
 }
 
 kernels::MfField kernel_field(const Scenario& scenario, const SwarmSpec& swarm, const World& world,
-                              float depth, std::uint32_t noise_seed) {
+                              float depth, const kernels::MfNoise& noise) {
   kernels::MfField field{};
   field.grid = kernel_grid(world.grid);
-  field.noise = kernel_noise(swarm.noise, noise_seed);
+  field.noise = noise;
   field.has_noise = swarm.noise.kind == NoiseKind::kCurl ? 1 : 0;
   field.has_walls = world.solid.empty() ? 0 : 1;
   field.boundary = swarm.boundary.value_or(world.grid.cell);
@@ -88,21 +95,34 @@ SwarmModels::Places rest_columns(const Scenario& scenario, const World& world, s
 
 }  // namespace
 
+float response_time(const Scenario& scenario, const SwarmSpec& swarm) {
+  const auto hal = std::find_if(scenario.hals.begin(), scenario.hals.end(),
+                                [&](const HalSpec& spec) { return spec.name == swarm.robots; });
+  if (hal == scenario.hals.end()) {
+    return 0.0F;
+  }
+  return hal->sim.delay + (hal->sim.plant == PlantKind::kVelocityLag ? hal->sim.time_constant : 0.0F);
+}
+
 SwarmModels make_swarm_models(const Scenario& scenario, const World& world) {
+  using SteadyClock = std::chrono::steady_clock;
   SwarmModels models;
   std::size_t first = 0;
   for (std::uint32_t s = 0; s < scenario.swarms.size(); ++s) {
     const SwarmSpec& spec = scenario.swarms[s];
     const fields::CostField& cost = *world.costs[s];
     models.rest.push_back(rest_columns(scenario, world, s));
+    const auto start = SteadyClock::now();
+    const kernels::MfNoise noise =
+        kernel_noise(spec.noise, draw_words({scenario.seed, kNoiseStream, s, 0, 0})[0]);
+    models.noise_s += std::chrono::duration<double>(SteadyClock::now() - start).count();
     SwarmModel model;
     model.first = first;
     model.count = static_cast<std::size_t>(spec.count);
-    model.field = kernel_field(scenario, spec, world, goal_depth(cost),
-                               draw_words({scenario.seed, kNoiseStream, s, 0, 0})[0]);
+    model.field = kernel_field(scenario, spec, world, goal_depth(cost), noise);
     model.walls = world.walls;
     model.guide = cost.guide;
-    model.separation = separation_with_rounding(scenario, spec.limits.separation);
+    model.separation = enforced_distance(scenario, spec);
     model.mde_sweeps = spec.mde_sweeps;
     models.swarms.push_back(model);
     first += model.count;

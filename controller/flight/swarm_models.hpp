@@ -16,9 +16,15 @@ struct SwarmModels {
   };
   std::vector<SwarmModel> swarms;
   std::vector<Places> rest;  // one a swarm
+  double noise_s =
+      0.0;  // how long the noise took to set up: it is evaluated where agents are, and tabulates nothing
 
   std::size_t agents() const { return swarms.empty() ? 0 : swarms.back().first + swarms.back().count; }
 };
+
+// How long a swarm's robots take to fly as they are told, s: the lag of their velocity and the age of what is
+// known of them.
+float response_time(const Scenario& scenario, const SwarmSpec& swarm);
 
 // Spans point into `world`, which must outlive the result.
 SwarmModels make_swarm_models(const Scenario& scenario, const World& world);
