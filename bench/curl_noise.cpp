@@ -12,6 +12,10 @@
 namespace {
 
 using mayfly::kernels::F3;
+using mayfly::kernels::mf3;
+using mayfly::kernels::mf_curl_noise;
+using mayfly::kernels::mf_load;
+using mayfly::kernels::mf_store;
 using mayfly::kernels::MfNoise;
 
 constexpr std::size_t kAgents = 1U << 14U;
@@ -99,9 +103,8 @@ int main() {
   noise.gain[0] = 1;
   const double lane_ns = best_ns_per_agent([&] {
     for (std::size_t a = 0; a < kAgents; a += MF_LANES) {
-      using namespace mayfly::kernels;
-      const F3 v =
-          mf_curl_noise(mf3(mf_load(&at.x[a]), mf_load(&at.y[a]), mf_load(&at.z[a])), &noise, nullptr);
+      const F3 at_lanes = mf3(mf_load(&at.x[a]), mf_load(&at.y[a]), mf_load(&at.z[a]));
+      const F3 v = mf_curl_noise(at_lanes, &noise, nullptr);
       mf_store(&lanes.x[a], v.x);
       mf_store(&lanes.y[a], v.y);
       mf_store(&lanes.z[a], v.z);

@@ -17,14 +17,12 @@
 #include "fields/distance_field.hpp"
 #include "fields/make_grid.hpp"
 
+namespace mayfly::fields {
 namespace {
-
-using namespace mayfly;
-using namespace mayfly::fields;
 
 // A torus with waves on it, so that no two triangles are alike: 2·around·across triangles.
 std::filesystem::path write_torus(int around, int across) {
-  const auto file =
+  auto file =
       std::filesystem::temp_directory_path() / ("torus" + std::to_string(2 * around * across) + ".obj");
   std::ofstream out(file);
   for (int i = 0; i < around; ++i) {
@@ -80,9 +78,7 @@ PlacedShape fitted(const std::filesystem::path& file) {
   return {mesh, {}};
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
+int run(int argc, char** argv) {
   std::printf("%-28s %8s %9s %9s %27s %27s\n", "", "tris", "cells", "make ms", "1 thread", "2 threads");
   const std::filesystem::path block = std::filesystem::path(MAYFLY_SOURCE_DIR) / "config/meshes/block.obj";
   std::vector<PlacedShape> blocks;
@@ -98,4 +94,11 @@ int main(int argc, char** argv) {
     time(std::filesystem::path(argv[i]).filename().string(), {fitted(argv[i])}, cube);
   }
   return 0;
+}
+
+}  // namespace
+}  // namespace mayfly::fields
+
+int main(int argc, char** argv) {
+  return mayfly::fields::run(argc, argv);
 }

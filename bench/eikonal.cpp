@@ -27,12 +27,10 @@ Problem make(int n, bool walls) {
   p.slowness.assign(p.grid.size(), 1.0F);
   p.cost.assign(p.grid.size(), kInfinity);
   for (int wall = 1; walls && wall <= 3; ++wall) {
+    const int first = wall % 2 == 1 ? n / 10 : 0;
     for (int z = 0; z < n; ++z) {
-      for (int y = 0; y < n; ++y) {
-        const bool gap = wall % 2 == 1 ? y < n / 10 : y >= n - n / 10;
-        if (!gap) {
-          p.slowness[p.grid.index(wall * n / 4, y, z)] = kInfinity;
-        }
+      for (int y = first; y < first + n - n / 10; ++y) {
+        p.slowness[p.grid.index(wall * n / 4, y, z)] = kInfinity;
       }
     }
   }
@@ -124,29 +122,31 @@ double measure(const Problem& problem, int repeats, Function solve) {
   return best;
 }
 
+void compare(int n, bool walls) {
+  const Problem problem = make(n, walls);
+  const double scalar = measure(problem, n > 100 ? 1 : 2, [](Problem& p) { ScalarSweeping(p).run(); });
+  int sweeps = 0;
+  double ours[2];
+  for (const unsigned threads : {1U, 2U}) {
+    ours[threads - 1] = measure(problem, 5, [&](Problem& p) {
+      const auto stats = mayfly::fields::solve_eikonal(p.grid, p.slowness, p.cost, threads);
+      sweeps = stats ? stats->sweeps : -1;
+    });
+  }
+  std::printf("%3d^3 %-16s %12.1f %12.1f %12.1f %4.0f /%4.0f %8d\n", n, walls ? "three walls" : "empty",
+              scalar, ours[0], ours[1], scalar / ours[0], scalar / ours[1], sweeps);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
-  const int largest = argc > 1 ? std::atoi(argv[1]) : 200;
+  const double largest = argc > 1 ? std::strtod(argv[1], nullptr) : 200.0;
   std::printf("%-22s %12s %12s %12s %10s %8s\n", "world", "scalar ns", "1 thread ns", "2 threads ns",
               "ratio 1/2", "sweeps");
   for (const int n : {100, 200}) {
-    for (const bool walls : {false, true}) {
-      if (n > largest) {
-        continue;
-      }
-      const Problem problem = make(n, walls);
-      const double scalar = measure(problem, n > 100 ? 1 : 2, [](Problem& p) { ScalarSweeping(p).run(); });
-      int sweeps = 0;
-      double ours[2];
-      for (const unsigned threads : {1U, 2U}) {
-        ours[threads - 1] = measure(problem, 5, [&](Problem& p) {
-          const auto stats = mayfly::fields::solve_eikonal(p.grid, p.slowness, p.cost, threads);
-          sweeps = stats ? stats->sweeps : -1;
-        });
-      }
-      std::printf("%3d^3 %-16s %12.1f %12.1f %12.1f %4.0f /%4.0f %8d\n", n, walls ? "three walls" : "empty",
-                  scalar, ours[0], ours[1], scalar / ours[0], scalar / ours[1], sweeps);
+    if (n <= largest) {
+      compare(n, false);
+      compare(n, true);
     }
   }
   return 0;

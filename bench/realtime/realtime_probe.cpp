@@ -21,10 +21,13 @@ void print(const char* name, const mayfly::Percentiles& p, const char* end) {
 
 // Arguments: seconds, rate in Hz, SCHED_FIFO priority (0: none), agents.
 int main(int argc, char** argv) {
-  const double seconds = argc > 1 ? std::atof(argv[1]) : 10.0;
-  const double rate = argc > 2 ? std::atof(argv[2]) : 100.0;
-  const int priority = argc > 3 ? std::atoi(argv[3]) : 80;
-  const auto agents = static_cast<std::size_t>(argc > 4 ? std::atoi(argv[4]) : 300);
+  const auto argument = [&](int n, double otherwise) {
+    return argc > n ? std::strtod(argv[n], nullptr) : otherwise;
+  };
+  const double seconds = argument(1, 10.0);
+  const double rate = argument(2, 100.0);
+  const int priority = static_cast<int>(argument(3, 80.0));
+  const auto agents = static_cast<std::size_t>(argument(4, 300.0));
 
   mayfly::RealtimeClock clock;
   mayfly::Executor executor(clock);

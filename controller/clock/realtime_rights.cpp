@@ -8,7 +8,7 @@
 #include <array>
 #include <cerrno>
 #include <cstddef>
-#include <cstring>
+#include <system_error>
 
 namespace mayfly {
 namespace {
@@ -18,7 +18,7 @@ constexpr std::size_t kLoopStackBytes = 256 * 1024;  // more than any tick uses
 
 // A locked stack that grows past RLIMIT_MEMLOCK is a crash, so it grows before it is locked.
 void touch_stack() noexcept {
-  std::array<std::byte, kLoopStackBytes> pages;
+  std::array<std::byte, kLoopStackBytes> pages{};
   volatile std::byte* const first = pages.data();
   for (std::size_t offset = 0; offset < pages.size(); offset += 4096) {
     first[offset] = std::byte{0};
@@ -40,7 +40,7 @@ void request_priority(int priority, RealtimeRights& rights) {
   }
   const int error = errno;
   const std::string level = std::to_string(param.sched_priority);
-  rights.refused.push_back({"SCHED_FIFO priority " + level, std::strerror(error),
+  rights.refused.push_back({"SCHED_FIFO priority " + level, std::generic_category().message(error),
                             limits_line("rtprio", level) + ", or grant CAP_SYS_NICE"});
 }
 
@@ -51,7 +51,7 @@ void request_locked_memory(RealtimeRights& rights) {
     return;
   }
   const int error = errno;
-  rights.refused.push_back({"locked memory", std::strerror(error),
+  rights.refused.push_back({"locked memory", std::generic_category().message(error),
                             limits_line("memlock", "unlimited") + ", or grant CAP_IPC_LOCK"});
 }
 
@@ -61,7 +61,7 @@ void request_sharp_timers(RealtimeRights& rights) {
     return;
   }
   const int error = errno;
-  rights.refused.push_back({"timer slack of 1 ns", std::strerror(error),
+  rights.refused.push_back({"timer slack of 1 ns", std::generic_category().message(error),
                             "a kernel with PR_SET_TIMERSLACK (Linux 2.6.28 or later)"});
 }
 

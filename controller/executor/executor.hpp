@@ -51,10 +51,10 @@ class Executor {
   // `rate_hz` in [0.001, 100 000]. `function` is called as void(const TickInfo&) and must be noexcept. Fails
   // for another rate or a name that is taken.
   template <class Function>
-  Result<void> add_task(std::string name, double rate_hz, Function function) {
+  Result<void> add_task(const std::string& name, double rate_hz, Function function) {
     static_assert(std::is_nothrow_invocable_v<Function&, const TickInfo&>,
                   "a task is called as void(const TickInfo&) noexcept");
-    return add(std::move(name), rate_hz, std::move(function));
+    return add(name, rate_hz, std::move(function));
   }
 
   // Runs every release in [0, duration), then waits for the end of `duration`. Ends early, before the next
