@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "core/hal.hpp"
@@ -30,17 +31,16 @@ class Estimate {
   }
 
   // Takes the samples over. One that is not valid or not a number is dropped, and the robot keeps its last
-  // state with its old stamp: whoever flies by it sees its age.
-  void update() noexcept {
+  // state with its old stamp: whoever flies by it sees its age. Returns the first robot whose sample claimed
+  // to be valid and held a NaN or an infinity, if any did.
+  std::optional<RobotIndex> update() noexcept {
+    std::optional<RobotIndex> liar;
     for (std::size_t a = 0; a < x.size(); ++a) {
       if (sample_.valid[a] == 0) {
         continue;
       }
-      const bool finite = std::isfinite(sample_.x[a]) && std::isfinite(sample_.y[a]) &&
-                          std::isfinite(sample_.z[a]) && std::isfinite(sample_.vx[a]) &&
-                          std::isfinite(sample_.vy[a]) && std::isfinite(sample_.vz[a]);
-      if (!finite) {
-        ++not_finite_;
+      if (!is_finite(a)) {
+        liar = liar.value_or(static_cast<RobotIndex>(a));
         continue;
       }
       x[a] = sample_.x[a];
@@ -52,12 +52,15 @@ class Estimate {
       stamp[a] = sample_.stamp[a];
       valid[a] = 1;
     }
+    return liar;
   }
 
-  // Samples that claimed to be valid and held a NaN or an infinity.
-  std::uint64_t not_finite() const { return not_finite_; }
-
  private:
+  bool is_finite(std::size_t a) const {
+    return std::isfinite(sample_.x[a]) && std::isfinite(sample_.y[a]) && std::isfinite(sample_.z[a]) &&
+           std::isfinite(sample_.vx[a]) && std::isfinite(sample_.vy[a]) && std::isfinite(sample_.vz[a]);
+  }
+
   struct Sample {
     explicit Sample(std::size_t n) : x(n), y(n), z(n), vx(n), vy(n), vz(n), stamp(n), valid(n) {}
     std::vector<float> x, y, z, vx, vy, vz;
@@ -65,7 +68,6 @@ class Estimate {
     std::vector<std::uint8_t> valid;
   };
   Sample sample_;
-  std::uint64_t not_finite_ = 0;
 
  public:
   // One element an agent; m, m/s, world frame. valid: 0 until the first good sample.

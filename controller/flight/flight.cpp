@@ -107,7 +107,7 @@ class Flight {
       began_ = now;
     }
     faults_.note(hal_source_, now, parts_.hal.read(now, estimate_.inbox()));
-    estimate_.update();
+    note_liar(now, estimate_.update());
     observe_truth();
     decide(now);
     write(now);
@@ -127,11 +127,19 @@ class Flight {
  private:
   int stop_level() const { return parts_.stop == nullptr ? 0 : parts_.stop->load(std::memory_order_relaxed); }
 
+  void note_liar(Time now, std::optional<RobotIndex> liar) noexcept {
+    HalResult result;
+    if (liar) {
+      result = {HalFault::kNotFinite, *liar, parts_.hal.robots()[*liar].link, "its state is not a number"};
+    }
+    faults_.note(state_source_, now, result);
+  }
+
   // The true state where a simulation knows it, else the estimate: what metrics and observers see.
   void observe_truth() noexcept {
     if (parts_.truth != nullptr) {
       parts_.truth->truth(truth_.inbox());
-      truth_.update();
+      static_cast<void>(truth_.update());
     }
     const Estimate& seen = parts_.truth != nullptr ? truth_ : estimate_;
     metrics_.observe({seen.x, seen.y, seen.z, seen.vx, seen.vy, seen.vz});
@@ -225,7 +233,7 @@ class Flight {
   Columns3 command_;
   std::vector<CommandKind> kind_;
   FaultLog faults_;
-  FaultLog::Source hal_source_, write_source_, engine_source_;
+  FaultLog::Source hal_source_, state_source_, write_source_, engine_source_;
   std::uint64_t sequence_ = 0;
   std::uint64_t ticks_ = 0;
   std::uint64_t moved_ = 0;  // agent-ticks in which MDE moved somebody

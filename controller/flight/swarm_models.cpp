@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <optional>
 
 #include "controller/flight/rest_places.hpp"
 #include "controller/flight/scatter.hpp"
@@ -14,6 +15,12 @@ constexpr std::uint32_t kNoiseStream = 0x4015E000U;
 
 // An agent slows down over the way that it cruises in this time, s.
 constexpr float kSlowDown = 1.0F;
+
+std::optional<HalSpec> hal_of(const Scenario& scenario, const SwarmSpec& swarm) {
+  const auto hal = std::find_if(scenario.hals.begin(), scenario.hals.end(),
+                                [&](const HalSpec& spec) { return spec.name == swarm.robots; });
+  return hal == scenario.hals.end() ? std::nullopt : std::optional(*hal);
+}
 
 kernels::MfGrid kernel_grid(const Grid& grid) {
   return {grid.origin.x,    grid.origin.y, grid.origin.z, grid.cell,
@@ -39,10 +46,19 @@ float approach_rate(const Scenario& scenario) {
   return std::min(kFastest, 0.25F * scenario.control.rate);
 }
 
+// By how much two robots may come nearer than the points that are steered, m. One that lags by τ trails its
+// point: two by up to τ times their relative velocity. One that accelerates no faster than a needs v²/2a to
+// turn. The cruise speed stands for both velocities.
+float trailing_margin(const Scenario& scenario, const SwarmSpec& swarm) {
+  const auto hal = hal_of(scenario, swarm);
+  const bool turns_slowly = swarm.governor || (hal && hal->sim.plant == PlantKind::kDoubleIntegrator);
+  const float to_turn =
+      turns_slowly ? swarm.cruise_speed * swarm.cruise_speed / (2.0F * swarm.limits.acceleration) : 0.0F;
+  return std::max(response_time(scenario, swarm) * swarm.cruise_speed, to_turn);
+}
+
 // What MDE keeps, so that `separation` comes of it. Positions lie some hundred metres from the origin, and
-// rounding there must not eat the distance. A robot that lags by τ trails the point that is steered: two of
-// them come nearer than their points by up to τ times their relative velocity, for which the cruise speed
-// stands.
+// rounding there must not eat the distance.
 float enforced_distance(const Scenario& scenario, const SwarmSpec& swarm) {
   if (swarm.limits.separation <= 0.0F) {
     return 0.0F;
@@ -51,7 +67,7 @@ float enforced_distance(const Scenario& scenario, const SwarmSpec& swarm) {
   const float farthest = std::max({std::fabs(b.min.x), std::fabs(b.min.y), std::fabs(b.min.z),
                                    std::fabs(b.max.x), std::fabs(b.max.y), std::fabs(b.max.z)});
   const float rounding = 8.0F * (std::nextafter(farthest, INFINITY) - farthest);
-  return swarm.limits.separation + rounding + response_time(scenario, swarm) * swarm.cruise_speed;
+  return swarm.limits.separation + rounding + trailing_margin(scenario, swarm);
 }
 
 // The deepest place of the goal, m from its surface: the guide holds minus the depth there.
@@ -96,12 +112,9 @@ SwarmModels::Places rest_columns(const Scenario& scenario, const World& world, s
 }  // namespace
 
 float response_time(const Scenario& scenario, const SwarmSpec& swarm) {
-  const auto hal = std::find_if(scenario.hals.begin(), scenario.hals.end(),
-                                [&](const HalSpec& spec) { return spec.name == swarm.robots; });
-  if (hal == scenario.hals.end()) {
-    return 0.0F;
-  }
-  return hal->sim.delay + (hal->sim.plant == PlantKind::kVelocityLag ? hal->sim.time_constant : 0.0F);
+  const auto hal = hal_of(scenario, swarm);
+  return hal ? hal->sim.delay + (hal->sim.plant == PlantKind::kVelocityLag ? hal->sim.time_constant : 0.0F)
+             : 0.0F;
 }
 
 SwarmModels make_swarm_models(const Scenario& scenario, const World& world) {
