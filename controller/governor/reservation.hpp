@@ -23,10 +23,10 @@ double stopping_distance(double speed, double braking, double period) noexcept;
 // tick, after p + T·w if at once, in between if sooner than linearly. Both are reserved, so that the proof
 // holds for all of them.
 struct Reservation {
-  glm::dvec3 from;        // p
-  glm::dvec3 end_linear;  // of the tick
-  glm::dvec3 end_at_once;
-  glm::dvec3 stop;   // from either end to where the robot rests, m
+  glm::dvec3 from{0.0};        // p
+  glm::dvec3 end_linear{0.0};  // of the tick
+  glm::dvec3 end_at_once{0.0};
+  glm::dvec3 stop{0.0};  // from either end to where the robot rests, m
   double sag = 0.0;  // m, the most by which any of these paths leaves the chord from → end_linear → + stop
 };
 

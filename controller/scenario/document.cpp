@@ -282,16 +282,19 @@ Result<YamlNode> parse(std::string_view text, const YamlMark& base, bool has_lin
   return builder.take();
 }
 
-}  // namespace
-
-const YamlNode* YamlNode::find(std::string_view key) const {
-  const auto it =
-      std::find_if(entries.begin(), entries.end(), [&](const YamlEntry& e) { return e.key == key; });
+auto find_value(auto& entries, std::string_view key) -> decltype(&entries.front().value) {
+  const auto it = std::find_if(entries.begin(), entries.end(), [&](const auto& e) { return e.key == key; });
   return it == entries.end() ? nullptr : &it->value;
 }
 
+}  // namespace
+
+const YamlNode* YamlNode::find(std::string_view key) const {
+  return find_value(entries, key);
+}
+
 YamlNode* YamlNode::find(std::string_view key) {
-  return const_cast<YamlNode*>(std::as_const(*this).find(key));
+  return find_value(entries, key);
 }
 
 Result<YamlNode> parse_yaml(std::string_view text, const std::string& file) {
