@@ -134,7 +134,7 @@ int run(const RunOptions& options) {
   if (!positions) {
     return refuse(positions.error());
   }
-  const SwarmModels models = make_swarm_models(*scenario, *world);
+  const SwarmModels models = make_swarm_models(*scenario, *world, !options.fast);
   world->preprocessing.noise = models.noise_s;
   log_detail(fmt::format("world: {} cells, {} triangles", world->grid.size(), world->solid.triangle_count()));
   return fly_and_tell(options, *scenario, *world, models, *positions, line);

@@ -49,17 +49,18 @@ float approach_rate(const Scenario& scenario) {
 // By how much two robots may come nearer than the points that are steered, m. One that lags by τ trails its
 // point: two by up to τ times their relative velocity. One that accelerates no faster than a needs v²/2a to
 // turn. The cruise speed stands for both velocities.
-float trailing_margin(const Scenario& scenario, const SwarmSpec& swarm) {
+float trailing_margin(const Scenario& scenario, const SwarmSpec& swarm, bool in_real_time) {
   const auto hal = hal_of(scenario, swarm);
   const bool turns_slowly = swarm.governor || (hal && hal->sim.plant == PlantKind::kDoubleIntegrator);
   const float to_turn =
       turns_slowly ? swarm.cruise_speed * swarm.cruise_speed / (2.0F * swarm.limits.acceleration) : 0.0F;
-  return std::max(response_time(scenario, swarm) * swarm.cruise_speed, to_turn);
+  const float latency = in_real_time ? realtime_latency(scenario, swarm) : 0.0F;
+  return std::max((response_time(scenario, swarm) + latency) * swarm.cruise_speed, to_turn);
 }
 
 // What MDE keeps, so that `separation` comes of it. Positions lie some hundred metres from the origin, and
 // rounding there must not eat the distance.
-float enforced_distance(const Scenario& scenario, const SwarmSpec& swarm) {
+float enforced_distance(const Scenario& scenario, const SwarmSpec& swarm, bool in_real_time) {
   if (swarm.limits.separation <= 0.0F) {
     return 0.0F;
   }
@@ -67,7 +68,7 @@ float enforced_distance(const Scenario& scenario, const SwarmSpec& swarm) {
   const float farthest = std::max({std::fabs(b.min.x), std::fabs(b.min.y), std::fabs(b.min.z),
                                    std::fabs(b.max.x), std::fabs(b.max.y), std::fabs(b.max.z)});
   const float rounding = 8.0F * (std::nextafter(farthest, INFINITY) - farthest);
-  return swarm.limits.separation + rounding + trailing_margin(scenario, swarm);
+  return swarm.limits.separation + rounding + trailing_margin(scenario, swarm, in_real_time);
 }
 
 // The deepest place of the goal, m from its surface: the guide holds minus the depth there.
@@ -117,7 +118,12 @@ float response_time(const Scenario& scenario, const SwarmSpec& swarm) {
              : 0.0F;
 }
 
-SwarmModels make_swarm_models(const Scenario& scenario, const World& world) {
+float realtime_latency(const Scenario& scenario, const SwarmSpec& swarm) {
+  const auto hal = hal_of(scenario, swarm);
+  return 1.0F / scenario.control.rate + (hal ? 1.0F / hal->sim.rate : 0.0F);
+}
+
+SwarmModels make_swarm_models(const Scenario& scenario, const World& world, bool in_real_time) {
   using SteadyClock = std::chrono::steady_clock;
   SwarmModels models;
   std::size_t first = 0;
@@ -135,7 +141,7 @@ SwarmModels make_swarm_models(const Scenario& scenario, const World& world) {
     model.field = kernel_field(scenario, spec, world, goal_depth(cost), noise);
     model.walls = world.walls;
     model.guide = cost.guide;
-    model.separation = enforced_distance(scenario, spec);
+    model.separation = enforced_distance(scenario, spec, in_real_time);
     model.mde_sweeps = spec.mde_sweeps;
     models.swarms.push_back(model);
     first += model.count;

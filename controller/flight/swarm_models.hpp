@@ -26,7 +26,10 @@ struct SwarmModels {
 // known of them.
 float response_time(const Scenario& scenario, const SwarmSpec& swarm);
 
+// On the real clock, control and a simulated robot each act on what the other did up to a period ago, s.
+float realtime_latency(const Scenario& scenario, const SwarmSpec& swarm);
+
 // Spans point into `world`, which must outlive the result.
-SwarmModels make_swarm_models(const Scenario& scenario, const World& world);
+SwarmModels make_swarm_models(const Scenario& scenario, const World& world, bool in_real_time = false);
 
 }  // namespace mayfly
