@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -14,15 +15,22 @@ namespace mayfly {
 class Estimate {
  public:
   explicit Estimate(std::size_t agents)
-      : sample_(agents),
-        x(agents),
-        y(agents),
-        z(agents),
+      : x(agents, kUnknown),
+        y(agents, kUnknown),
+        z(agents, kUnknown),
         vx(agents),
         vy(agents),
         vz(agents),
         stamp(agents),
-        valid(agents) {}
+        valid(agents),
+        fresh(agents),
+        sample_(agents) {}
+
+  // One element an agent; m, m/s, world frame. valid: 0 until the first good sample, and no place is known
+  // till then. fresh: 1 where the last update took a sample.
+  std::vector<float> x, y, z, vx, vy, vz;
+  std::vector<Time> stamp;
+  std::vector<std::uint8_t> valid, fresh;
 
   // Where the HAL writes this tick's samples.
   StateColumns inbox() {
@@ -36,6 +44,7 @@ class Estimate {
   std::optional<RobotIndex> update() noexcept {
     std::optional<RobotIndex> liar;
     for (std::size_t a = 0; a < x.size(); ++a) {
+      fresh[a] = 0;
       if (sample_.valid[a] == 0) {
         continue;
       }
@@ -51,11 +60,14 @@ class Estimate {
       vz[a] = sample_.vz[a];
       stamp[a] = sample_.stamp[a];
       valid[a] = 1;
+      fresh[a] = 1;
     }
     return liar;
   }
 
  private:
+  static constexpr float kUnknown = std::numeric_limits<float>::quiet_NaN();
+
   bool is_finite(std::size_t a) const {
     return std::isfinite(sample_.x[a]) && std::isfinite(sample_.y[a]) && std::isfinite(sample_.z[a]) &&
            std::isfinite(sample_.vx[a]) && std::isfinite(sample_.vy[a]) && std::isfinite(sample_.vz[a]);
@@ -68,12 +80,6 @@ class Estimate {
     std::vector<std::uint8_t> valid;
   };
   Sample sample_;
-
- public:
-  // One element an agent; m, m/s, world frame. valid: 0 until the first good sample.
-  std::vector<float> x, y, z, vx, vy, vz;
-  std::vector<Time> stamp;
-  std::vector<std::uint8_t> valid;
 };
 
 }  // namespace mayfly

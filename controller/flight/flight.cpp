@@ -7,6 +7,7 @@
 #include "controller/flight/estimate.hpp"
 #include "controller/flight/expectations.hpp"
 #include "controller/flight/fault_log.hpp"
+#include "controller/flight/flight_config.hpp"
 #include "controller/flight/swarm_models.hpp"
 #include "controller/governor/governor.hpp"
 #include "controller/metrics/metrics.hpp"
@@ -20,68 +21,12 @@ constexpr float kStandingStill = 0.05F;  // m/s
 // A command is good for this many control periods: long enough for one late tick, short enough to stop soon
 // after the last.
 constexpr int kCommandPeriods = 5;
-// A state older than this many control periods, or than this time, whichever is longer, counts as stale.
-constexpr int kStatePeriods = 5;
-constexpr double kStateSeconds = 0.1;
 
 struct Columns3 {
   explicit Columns3(std::size_t n) : x(n), y(n), z(n) {}
   VelocityColumns writable() { return {x, y, z}; }
   std::vector<float> x, y, z;
 };
-
-ObstacleView obstacle_view(const World& world) {
-  if (world.solid.empty()) {
-    return {};
-  }
-  return {{world.distance.distance.data(), world.grid},
-          [&solid = world.solid](glm::vec3 p) { return solid.signed_distance(p); }};
-}
-
-GovernorConfig governor_config(const Scenario& scenario, const World& world) {
-  GovernorConfig config;
-  config.period = from_seconds(1.0 / static_cast<double>(scenario.control.rate));
-  config.max_state_age = std::max(kStatePeriods * config.period, from_seconds(kStateSeconds));
-  config.fence = scenario.world.bounds;
-  config.obstacles = obstacle_view(world);
-  std::size_t first = 0;
-  for (const SwarmSpec& swarm : scenario.swarms) {
-    GovernorGroup group;
-    group.first = first;
-    group.count = static_cast<std::size_t>(swarm.count);
-    group.enabled = swarm.governor;
-    group.limits.speed = swarm.limits.speed;
-    group.limits.acceleration = swarm.limits.acceleration;
-    group.limits.braking = swarm.limits.acceleration;
-    group.limits.radius = swarm.radius;
-    group.limits.response_time = response_time(scenario, swarm);
-    config.groups.push_back(group);
-    first += group.count;
-  }
-  return config;
-}
-
-// Exact where it matters: the sampled distance only spares the question far from obstacles.
-MetricsConfig metrics_config(const Scenario& scenario, const World& world) {
-  MetricsConfig config;
-  config.period = from_seconds(1.0 / static_cast<double>(scenario.control.rate));
-  std::size_t first = 0;
-  std::vector<std::size_t> goal_of;
-  for (const SwarmSpec& swarm : scenario.swarms) {
-    const auto count = static_cast<std::size_t>(swarm.count);
-    config.radii.insert(config.radii.end(), count, swarm.radius);
-    config.swarms.push_back({first, count});
-    const auto goal = std::find_if(scenario.world.goals.begin(), scenario.world.goals.end(),
-                                   [&](const GoalSpec& g) { return g.name == swarm.goal; });
-    goal_of.push_back(static_cast<std::size_t>(goal - scenario.world.goals.begin()));
-    first += count;
-  }
-  config.in_goal = [&goals = world.goals, goal_of](std::size_t swarm, glm::vec3 p) {
-    return goals[goal_of[swarm]].contains(p);
-  };
-  config.obstacles = obstacle_view(world);
-  return config;
-}
 
 // One flight's state: columns taken at the start, and what a tick does with them.
 class Flight {
@@ -100,13 +45,13 @@ class Flight {
         command_(agents_),
         kind_(agents_, CommandKind::kHold) {}
 
-  void tick(const TickInfo& info) noexcept {
+  void tick() noexcept {
     const auto work_began = std::chrono::steady_clock::now();
     const Time now = parts_.clock.now();
     if (ticks_ == 0) {
       began_ = now;
     }
-    faults_.note(hal_source_, now, parts_.hal.read(now, estimate_.inbox()));
+    note(hal_source_, now, parts_.hal.read(now, estimate_.inbox()));
     note_liar(now, estimate_.update());
     observe_truth();
     decide(now);
@@ -116,7 +61,6 @@ class Flight {
     ++ticks_;
     flown_ = now - began_ + period_;
     work_ += std::chrono::steady_clock::now() - work_began;
-    static_cast<void>(info);
   }
 
   const std::atomic<bool>& finished() const { return finished_; }
@@ -127,12 +71,16 @@ class Flight {
  private:
   int stop_level() const { return parts_.stop == nullptr ? 0 : parts_.stop->load(std::memory_order_relaxed); }
 
+  void note(FaultLog::Source& source, Time now, const HalResult& result) noexcept {
+    faults_.note(source, now - began_, result);
+  }
+
   void note_liar(Time now, std::optional<RobotIndex> liar) noexcept {
     HalResult result;
     if (liar) {
       result = {HalFault::kNotFinite, *liar, parts_.hal.robots()[*liar].link, "its state is not a number"};
     }
-    faults_.note(state_source_, now, result);
+    note(state_source_, now, result);
   }
 
   // The true state where a simulation knows it, else the estimate: what metrics and observers see.
@@ -168,9 +116,8 @@ class Flight {
     look_ahead();
     moved_ += parts_.engine.compute({ahead_.x, ahead_.y, ahead_.z}, period_s, desired_.writable());
     const std::string_view fault = parts_.engine.fault();
-    faults_.note(
-        engine_source_, now,
-        {fault.empty() ? HalFault::kNone : HalFault::kLinkDown, kEveryRobot, parts_.engine.name(), fault});
+    note(engine_source_, now,
+         {fault.empty() ? HalFault::kNone : HalFault::kLinkDown, kEveryRobot, parts_.engine.name(), fault});
     governor_.govern(now,
                      {estimate_.x, estimate_.y, estimate_.z, estimate_.vx, estimate_.vy, estimate_.vz,
                       estimate_.stamp, estimate_.valid},
@@ -183,13 +130,13 @@ class Flight {
   void write(Time now) noexcept {
     const CommandColumns commands{
         kind_, command_.x, command_.y, command_.z, now + kCommandPeriods * period_, ++sequence_};
-    faults_.note(write_source_, now, parts_.hal.write(now, commands));
+    note(write_source_, now, parts_.hal.write(now, commands));
   }
 
   void show(Time now) noexcept {
     const Estimate& seen = parts_.truth != nullptr ? truth_ : estimate_;
-    const TickView view{ticks_,  now,        seen.x,     seen.y,     seen.z, seen.vx,        seen.vy,
-                        seen.vz, command_.x, command_.y, command_.z, kind_,  estimate_.valid};
+    const TickView view{ticks_,  now - began_, seen.x,     seen.y,     seen.z, seen.vx,        seen.vy,
+                        seen.vz, command_.x,   command_.y, command_.z, kind_,  estimate_.fresh};
     for (Observer* observer : parts_.observers) {
       observer->on_tick(view);
     }
@@ -320,7 +267,7 @@ Result<Summary> fly(const FlightParts& parts) {
   Flight flight(parts, std::move(*governor), Metrics(metrics_config(parts.scenario, parts.world)));
   Executor executor(parts.clock);
   auto added = executor.add_task("control", static_cast<double>(parts.scenario.control.rate),
-                                 [&flight](const TickInfo& info) noexcept { flight.tick(info); });
+                                 [&flight](const TickInfo&) noexcept { flight.tick(); });
   if (!added) {
     return fail(std::move(added.error()));
   }

@@ -151,9 +151,9 @@ std::vector<Error> apply_presets(YamlNode& root, const FileRoots& roots) {
 }
 
 const std::map<std::string, std::string>& builtin_presets() {
-  static const std::map<std::string, std::string> presets(std::begin(kBuiltinPresets),
-                                                          std::end(kBuiltinPresets));
-  return presets;
+  static const std::map<std::string, std::string> kPresets(std::begin(kBuiltinPresets),
+                                                           std::end(kBuiltinPresets));
+  return kPresets;
 }
 
 }  // namespace mayfly

@@ -25,7 +25,7 @@ struct Index {
 };
 
 const Index& index() {
-  static const Index built = [] {
+  static const Index kBuilt = [] {
     Index index;
     for (const Key& key : scenario_keys()) {
       index.by_path.emplace(key.path, &key);
@@ -33,7 +33,7 @@ const Index& index() {
     }
     return index;
   }();
-  return built;
+  return kBuilt;
 }
 
 std::string range_of(const Key& key) {
@@ -51,8 +51,8 @@ std::string range_of(const Key& key) {
 }  // namespace
 
 const std::vector<Key>& scenario_keys() {
-  static const std::vector<Key> keys = schema_rows();
-  return keys;
+  static const std::vector<Key> kKeys = schema_rows();
+  return kKeys;
 }
 
 const Key* find_key(std::string_view path) {

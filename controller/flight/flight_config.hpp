@@ -1,0 +1,15 @@
+// What a flight's governor and metrics are told of the scenario and its world.
+#pragma once
+
+#include "controller/flight/world.hpp"
+#include "controller/governor/governor_config.hpp"
+#include "controller/metrics/metrics.hpp"
+#include "controller/scenario/scenario.hpp"
+
+namespace mayfly {
+
+// Both ask the world for exact distances where its sampled field cannot decide: `world` must outlive them.
+GovernorConfig governor_config(const Scenario& scenario, const World& world);
+MetricsConfig metrics_config(const Scenario& scenario, const World& world);
+
+}  // namespace mayfly
