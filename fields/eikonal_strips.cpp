@@ -5,7 +5,19 @@
 namespace mayfly::fields::strips {
 namespace {
 
-using namespace mayfly::kernels;
+using kernels::F;
+using kernels::I;
+using kernels::mf_any;
+using kernels::mf_isplat;
+using kernels::mf_load;
+using kernels::mf_max;
+using kernels::mf_min;
+using kernels::mf_select;
+using kernels::mf_splat;
+using kernels::mf_sqrt;
+using kernels::mf_store;
+
+constexpr std::ptrdiff_t kVector = MF_LANES;
 
 // Lane l gets lane l − 1; lane 0 gets `first`.
 MF_FN F shift_up(F a, float first) {
@@ -54,13 +66,58 @@ MF_FN Range lanes_range(int n, int nx) {
   return {std::max(n - (kRows - 1), 0), std::min(n + 1, nx)};
 }
 
+// The one that a sweep in direction kStep meets first where `low` lies at smaller coordinates than `high`.
+template <int kStep>
+MF_FN F behind(F low, F high) {
+  return kStep > 0 ? low : high;
+}
+
+// One vector of a plane after its update, and what stands beside it.
+struct Swept {
+  F value;
+  I lowered;
+  F behind_x, behind_y, ahead_y;
+};
+
+// Adds to `outcome` which neighbours of vector n of plane i must be updated again.
+template <int kStep>
+MF_FN void tell_neighbours(const Swept& swept, int i, int n, const float* cost, const Brick& brick,
+                           const Layout& layout, Outcome& outcome) {
+  constexpr int kFirst = kStep > 0 ? 0 : kRows - 1;  // the lane that is swept first
+  constexpr int kLast = kRows - 1 - kFirst;
+  const F value = swept.value;
+  const Range lanes = lanes_range(n, layout.nx);
+  outcome.changed.add(lanes);
+  I back_y = swept.lowered & depends(swept.behind_y, value);
+  if (back_y[kFirst]) {
+    const int x = n - kFirst;
+    outcome.y_back.add({x, x + 1});
+    back_y[kFirst] = 0;
+  }
+  if ((swept.lowered & depends(swept.ahead_y, value))[kLast]) {
+    const int x = n - kLast;
+    outcome.y_ahead.add({x, x + 1});
+  }
+  I back = back_y | (swept.lowered & depends(swept.behind_x, value));
+  const I z_back = swept.lowered & depends(mf_load(cost + brick.plane[i] + n * kVector), value);
+  if (i > 0) {
+    back |= z_back;
+  } else if (mf_any(z_back)) {
+    outcome.z_back.add(lanes);
+  }
+  if (i + 1 == kPlanes &&
+      mf_any(swept.lowered & depends(mf_load(cost + brick.plane[i + 2] + n * kVector), value))) {
+    outcome.z_ahead.add(lanes);
+  }
+  if (mf_any(back)) {
+    outcome.self.add({std::max(lanes.begin - 1, 0), std::min(lanes.end + 1, layout.nx)});
+  }
+}
+
 }  // namespace
 
 template <int kStep>
 Outcome sweep_brick(float* cost, const float* step, const Brick& brick, const Layout& layout, Range range) {
-  constexpr int kFirst = kStep > 0 ? 0 : kRows - 1;  // the lane that is swept first
-  constexpr int kLast = kRows - 1 - kFirst;
-  constexpr std::ptrdiff_t kVector = MF_LANES;
   Outcome outcome;
   // Plane i handles vector n = at − i · kStep; the vectors of the columns in `range` are range.begin …
   // range.end + 6.
@@ -71,23 +128,20 @@ Outcome sweep_brick(float* cost, const float* step, const Brick& brick, const La
   const std::ptrdiff_t below = -brick.strip_stride + (kRows - 1) * kVector + (kRows - 1);
   const std::ptrdiff_t above = brick.strip_stride - (kRows - 1) * kVector;
 
-  F previous[kPlanes];
+  Swept swept[kPlanes];
   for (int i = 0; i < kPlanes; ++i) {
-    previous[i] = mf_load(cost + brick.plane[i + 1] + (at - i * kStep - kStep) * kVector);
+    swept[i].value = mf_load(cost + brick.plane[i + 1] + (at - i * kStep - kStep) * kVector);
   }
   for (; at != stop; at += kStep) {
     I lowered_any = mf_isplat(0);
-    I lowered[kPlanes];
-    F behind_y[kPlanes];
-    F ahead_y[kPlanes];
-    F behind_x[kPlanes];
     for (int i = 0; i < kPlanes; ++i) {
       const std::ptrdiff_t n = at - i * kStep;
       float* here = cost + brick.plane[i + 1] + n * kVector;
       const F old = mf_load(here);
+      const F previous = swept[i].value;
       const F ahead = mf_load(here + kStep * kVector);
-      const F x_low = kStep > 0 ? previous[i] : ahead;
-      const F x_high = kStep > 0 ? ahead : previous[i];
+      const F x_low = behind<kStep>(previous, ahead);
+      const F x_high = behind<kStep>(ahead, previous);
       const F y_low = shift_up(x_low, here[below]);
       const F y_high = shift_down(x_high, here[above]);
       const F z_behind = mf_load(cost + brick.plane[i] + n * kVector);
@@ -95,13 +149,10 @@ Outcome sweep_brick(float* cost, const float* step, const Brick& brick, const La
       const F f = mf_load(step + brick.plane[i + 1] + n * kVector);
       const F value =
           upwind_value(mf_min(x_low, x_high), mf_min(y_low, y_high), mf_min(z_behind, z_ahead), f);
-      behind_x[i] = previous[i];
-      behind_y[i] = kStep > 0 ? y_low : y_high;
-      ahead_y[i] = kStep > 0 ? y_high : y_low;
-      lowered[i] = value < old;
-      lowered_any |= lowered[i];
-      previous[i] = mf_min(value, old);
-      mf_store(here, previous[i]);
+      swept[i] = {mf_min(value, old), value < old, previous, behind<kStep>(y_low, y_high),
+                  behind<kStep>(y_high, y_low)};
+      lowered_any |= swept[i].lowered;
+      mf_store(here, swept[i].value);
     }
     outcome.steps += kPlanes;
     if (!mf_any(lowered_any)) {
@@ -112,36 +163,8 @@ Outcome sweep_brick(float* cost, const float* step, const Brick& brick, const La
       stop += kStep;
     }
     for (int i = 0; i < kPlanes; ++i) {
-      if (!mf_any(lowered[i])) {
-        continue;
-      }
-      const int n = at - i * kStep;
-      const F value = previous[i];
-      const Range lanes = lanes_range(n, layout.nx);
-      outcome.changed.add(lanes);
-      I back_y = lowered[i] & depends(behind_y[i], value);
-      if (back_y[kFirst]) {
-        const int x = n - kFirst;
-        outcome.y_back.add({x, x + 1});
-        back_y[kFirst] = 0;
-      }
-      if ((lowered[i] & depends(ahead_y[i], value))[kLast]) {
-        const int x = n - kLast;
-        outcome.y_ahead.add({x, x + 1});
-      }
-      I back = back_y | (lowered[i] & depends(behind_x[i], value));
-      const I z_back = lowered[i] & depends(mf_load(cost + brick.plane[i] + n * kVector), value);
-      if (i > 0) {
-        back |= z_back;
-      } else if (mf_any(z_back)) {
-        outcome.z_back.add(lanes);
-      }
-      if (i + 1 == kPlanes &&
-          mf_any(lowered[i] & depends(mf_load(cost + brick.plane[i + 2] + n * kVector), value))) {
-        outcome.z_ahead.add(lanes);
-      }
-      if (mf_any(back)) {
-        outcome.self.add({std::max(lanes.begin - 1, 0), std::min(lanes.end + 1, layout.nx)});
+      if (mf_any(swept[i].lowered)) {
+        tell_neighbours<kStep>(swept[i], i, at - i * kStep, cost, brick, layout, outcome);
       }
     }
   }
