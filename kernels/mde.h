@@ -40,7 +40,8 @@ MF_FN F3 mf_push(F3 r, F3 q, F distance, I counts, F3 parting) {
   const I too_near = counts & (overlap > mf_splat(0.0f));
   const I coincident = length < mf_splat(1e-9f);
   const F3 direction = mf3_select(coincident, parting, mf3_unit(line));
-  return mf3_scale(direction, mf_select(too_near, 0.5f * overlap, mf_splat(0.0f)));
+  // The whole vector is selected: 0 times the direction to an agent without a place would be NaN.
+  return mf3_select(too_near, mf3_scale(direction, 0.5f * overlap), mf3_splat(0.0f, 0.0f, 0.0f));
 }
 
 MF_FN int mf_cell_of(float at, float origin, float inverse_cell, int count) {
