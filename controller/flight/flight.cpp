@@ -51,6 +51,7 @@ class Flight {
     if (ticks_ == 0) {
       began_ = now;
     }
+    asked_to_stop_ = stop_level();
     note(hal_source_, now, parts_.hal.read(now, estimate_.inbox()));
     note_liar(now, estimate_.update());
     observe_truth();
@@ -122,8 +123,8 @@ class Flight {
                      {estimate_.x, estimate_.y, estimate_.z, estimate_.vx, estimate_.vy, estimate_.vz,
                       estimate_.stamp, estimate_.valid},
                      {desired_.x, desired_.y, desired_.z}, {kind_, command_.x, command_.y, command_.z});
-    if (stop_level() > 0) {
-      std::fill(kind_.begin(), kind_.end(), stop_level() > 1 ? CommandKind::kStop : CommandKind::kHold);
+    if (asked_to_stop_ > 0) {
+      std::fill(kind_.begin(), kind_.end(), asked_to_stop_ > 1 ? CommandKind::kStop : CommandKind::kHold);
     }
   }
 
@@ -149,7 +150,7 @@ class Flight {
   // Asked to stop, the swarm holds until it stands still; asked twice, it has just been told to stop, and
   // that is all.
   void end_if_asked(Time now) noexcept {
-    const int level = stop_level();
+    const int level = asked_to_stop_;
     if (level == 0) {
       return;
     }
@@ -186,6 +187,8 @@ class Flight {
   std::uint64_t moved_ = 0;  // agent-ticks in which MDE moved somebody
   Time began_{0};
   Time flown_{0};
+  // Read once a tick: a request that comes in its middle must not end the flight before it was written.
+  int asked_to_stop_ = 0;
   Time stop_began_ = Time::min();
   std::chrono::steady_clock::duration work_{0};
   std::atomic<bool> finished_{false};
