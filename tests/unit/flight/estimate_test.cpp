@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cmath>
 #include <limits>
 
 namespace mayfly {
@@ -28,6 +30,8 @@ TEST(Estimate, KnowsNobodyBeforeTheFirstSample) {
   Estimate estimate(2);
   EXPECT_EQ(estimate.update(), std::nullopt);
   EXPECT_EQ(estimate.valid, (std::vector<std::uint8_t>{0, 0}));
+  EXPECT_EQ(estimate.fresh, (std::vector<std::uint8_t>{0, 0}));
+  EXPECT_TRUE(std::isnan(estimate.x[0])) << "nobody may take it for a place";
 }
 
 TEST(Estimate, TakesEveryColumnOfAGoodSample) {
@@ -42,6 +46,7 @@ TEST(Estimate, TakesEveryColumnOfAGoodSample) {
   EXPECT_EQ(estimate.vy[1], 14);
   EXPECT_EQ(estimate.vz[1], 15);
   EXPECT_EQ(estimate.stamp[1], Time(7ms));
+  EXPECT_EQ(estimate.fresh, (std::vector<std::uint8_t>{0, 1}));
 }
 
 TEST(Estimate, KeepsTheLastStateAndItsStampWhereASampleIsNotValid) {
@@ -53,6 +58,8 @@ TEST(Estimate, KeepsTheLastStateAndItsStampWhereASampleIsNotValid) {
   EXPECT_EQ(estimate.x[0], 10);
   EXPECT_EQ(estimate.vz[0], 15);
   EXPECT_EQ(estimate.stamp[0], Time(7ms));
+  EXPECT_EQ(estimate.valid[0], 1) << "its state is known, if old";
+  EXPECT_EQ(estimate.fresh[0], 0);
 }
 
 TEST(Estimate, KeepsTheLastStateWhereAnyColumnIsNotANumber) {
@@ -67,6 +74,7 @@ TEST(Estimate, KeepsTheLastStateWhereAnyColumnIsNotANumber) {
       columns[static_cast<std::size_t>(column)][0] = bad;
       EXPECT_EQ(estimate.update(), RobotIndex{0}) << "column " << column;
       EXPECT_EQ(estimate.x[0], 10) << "column " << column;
+      EXPECT_EQ(estimate.fresh[0], 0) << "column " << column;
       EXPECT_EQ(estimate.vz[0], 15) << "column " << column;
       EXPECT_EQ(estimate.stamp[0], Time(7ms)) << "column " << column;
     }
