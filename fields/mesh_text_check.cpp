@@ -151,6 +151,21 @@ Result<void> check_ascii_stl(std::string_view bytes, const std::string& name) {
   return {};
 }
 
+// `count` lines of one kind, each of which must be good.
+Result<void> off_lines(Lines& lines, std::uint64_t count, const char* kind, const auto& good,
+                       const std::string& wanted, const std::string& name) {
+  const std::string all = std::to_string(count) + kind;
+  for (std::uint64_t i = 0; i < count; ++i) {
+    if (!lines.next()) {
+      return bad_mesh(name, "is truncated", std::to_string(i) + " of " + all, all);
+    }
+    if (!good(lines.words())) {
+      return bad_mesh(name, "is damaged or truncated", joined(lines.words()) + lines.where(), wanted);
+    }
+  }
+  return {};
+}
+
 }  // namespace
 
 Result<void> check_off(std::string_view bytes, const std::string& name) {
@@ -174,21 +189,15 @@ Result<void> check_off(std::string_view bytes, const std::string& name) {
                     "at most " + std::to_string(kMaxMeshVertices) + " vertices and " +
                         std::to_string(kMaxMeshTriangles) + " faces");
   }
-  for (std::uint64_t i = 0; i < *vertices + *faces; ++i) {
-    const bool is_vertex = i < *vertices;
-    const std::string of =
-        std::to_string(is_vertex ? *vertices : *faces) + (is_vertex ? " vertices" : " faces");
-    if (!lines.next()) {
-      return bad_mesh(name, "is truncated", std::to_string(is_vertex ? i : i - *vertices) + " of " + of, of);
-    }
-    if (is_vertex ? !three_coordinates(lines.words(), 0) : !off_face(lines.words(), *vertices)) {
-      return bad_mesh(name, "is damaged or truncated", joined(lines.words()) + lines.where(),
-                      is_vertex ? "three finite coordinates"
-                                : "a count of corners (3 or more) and as many indices of the " +
-                                      std::to_string(*vertices) + " vertices");
-    }
+  const auto vertex = [](const auto& words) { return three_coordinates(words, 0); };
+  const auto face = [&](const auto& words) { return off_face(words, *vertices); };
+  const std::string of_face =
+      "a count of corners (3 or more) and as many indices of the " + std::to_string(*vertices) + " vertices";
+  if (auto checked = off_lines(lines, *vertices, " vertices", vertex, "three finite coordinates", name);
+      !checked) {
+    return checked;
   }
-  return {};
+  return off_lines(lines, *faces, " faces", face, of_face, name);
 }
 
 Result<void> check_obj(std::string_view bytes, const std::string& name) {

@@ -88,6 +88,7 @@ struct Check {
 
 }  // namespace
 
+// A shape moves without throwing, so a Primitive always holds one. NOLINTNEXTLINE(bugprone-exception-escape)
 double signed_distance(const Primitive& primitive, const glm::dvec3& point) noexcept {
   return std::visit(Distance{point}, primitive);
 }

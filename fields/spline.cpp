@@ -26,8 +26,9 @@ void filter_line(float* line, std::ptrdiff_t n, std::ptrdiff_t stride, std::vect
   };
   double start = 0.0;
   double power = 1.0;
-  for (std::ptrdiff_t i = 0; i < kHorizon; ++i, power *= kPole) {
+  for (std::ptrdiff_t i = 0; i < kHorizon; ++i) {
     start += power * mirrored(i);
+    power *= kPole;
   }
   const auto last = static_cast<std::size_t>(n - 1);
   c[0] = start;

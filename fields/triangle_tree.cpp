@@ -181,6 +181,7 @@ void TriangleTree::nearest(const std::array<T, 3>& point, T& best_squared,
     std::uint32_t node;
     T squared;
   };
+  // Filling it would cost more than a search. NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init)
   std::array<Pending, kStack> stack;
   std::size_t depth = 0;
   stack[depth++] = {0, box_distance_squared(nodes_[0], point)};
@@ -213,7 +214,7 @@ template void TriangleTree::nearest<Double8>(const std::array<Double8, 3>&, Doub
                                              std::uint32_t&) const noexcept;
 
 int TriangleTree::winding(const glm::dvec3& point) const noexcept {
-  std::array<std::uint32_t, kStack> stack;
+  std::array<std::uint32_t, kStack> stack;  // NOLINT(cppcoreguidelines-pro-type-member-init): as above
   std::size_t depth = 0;
   stack[depth++] = 0;
   int winding = 0;

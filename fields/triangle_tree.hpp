@@ -17,7 +17,7 @@ struct Double8;
 // One triangle in its own frame: the longest side runs from the origin along +x, the apex lies above it, z is
 // the normal. Distances in an orthonormal frame stay exact however thin the triangle is.
 struct TriangleFrame {
-  glm::dvec3 origin, x, y, z;
+  glm::dvec3 origin{0.0}, x{0.0}, y{0.0}, z{0.0};
   double length = 0.0;                // of the longest side
   double apex_x = 0.0, apex_y = 0.0;  // 0 ≤ apex_x ≤ length, apex_y ≥ 0
   double inverse_near = 0.0,

@@ -17,14 +17,14 @@ constexpr Columns kFloatColumns{&TickView::x,         &TickView::y,         &Tic
 
 FrameRing::FrameRing(std::size_t frames, std::size_t agents) : frames_(frames) {
   for (Frame& frame : frames_) {
-    frame.numbers.resize(kColumns * agents);
-    frame.kinds.resize(agents);
-    frame.valid.resize(agents);
+    frame.numbers_.resize(kColumns * agents);
+    frame.kinds_.resize(agents);
+    frame.valid_.resize(agents);
     for (std::size_t column = 0; column < kColumns; ++column) {
-      frame.view.*kFloatColumns[column] = std::span(frame.numbers).subspan(column * agents, agents);
+      frame.view.*kFloatColumns[column] = std::span(frame.numbers_).subspan(column * agents, agents);
     }
-    frame.view.kind = frame.kinds;
-    frame.view.valid = frame.valid;
+    frame.view.kind = frame.kinds_;
+    frame.view.valid = frame.valid_;
   }
 }
 
@@ -35,12 +35,12 @@ bool FrameRing::push(const TickView& view) noexcept {
     return false;
   }
   Frame& frame = frames_[pushed % frames_.size()];
-  float* to = frame.numbers.data();
+  float* to = frame.numbers_.data();
   for (const auto column : kFloatColumns) {
     to = std::copy((view.*column).begin(), (view.*column).end(), to);
   }
-  std::copy(view.kind.begin(), view.kind.end(), frame.kinds.begin());
-  std::copy(view.valid.begin(), view.valid.end(), frame.valid.begin());
+  std::copy(view.kind.begin(), view.kind.end(), frame.kinds_.begin());
+  std::copy(view.valid.begin(), view.valid.end(), frame.valid_.begin());
   frame.view.tick = view.tick;
   frame.view.time = view.time;
   frame.lost_before = lost_;

@@ -20,9 +20,9 @@ class FrameRing {
 
    private:
     friend class FrameRing;
-    std::vector<float> numbers;
-    std::vector<CommandKind> kinds;
-    std::vector<std::uint8_t> valid;
+    std::vector<float> numbers_;
+    std::vector<CommandKind> kinds_;
+    std::vector<std::uint8_t> valid_;
   };
 
   FrameRing(std::size_t frames, std::size_t agents);

@@ -102,7 +102,7 @@ std::vector<double> round_ticks(double low, double high, double scale, double sp
     }
   }
   std::vector<double> ticks;
-  for (double k = std::ceil(low / step - 1e-6); k * step <= high + 1e-6 * step; ++k) {
+  for (auto k = static_cast<int>(std::ceil(low / step - 1e-6)); k * step <= high + 1e-6 * step; ++k) {
     ticks.push_back(k * step);
   }
   return ticks;

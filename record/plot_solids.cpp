@@ -12,6 +12,7 @@ namespace mayfly::record {
 namespace {
 
 constexpr int kFacets = 48;
+constexpr int kRings = kFacets / 2;
 
 using Triangles = std::vector<Triangle>;
 using Polygon = std::vector<glm::vec3>;
@@ -71,11 +72,11 @@ struct Tessellator {
 
   Result<void> operator()(const fields::SphereShape& shape) const {
     const auto at = [&](int ring, int facet) {
-      const float polar = std::numbers::pi_v<float> * static_cast<float>(ring) / (kFacets / 2);
+      const float polar = std::numbers::pi_v<float> * static_cast<float>(ring) / kRings;
       return shape.center + shape.radius * (std::sin(polar) * on_circle({1, 0, 0}, {0, 1, 0}, facet) +
                                             glm::vec3(0, 0, std::cos(polar)));
     };
-    for (int ring = 0; ring < kFacets / 2; ++ring) {
+    for (int ring = 0; ring < kRings; ++ring) {
       for (int facet = 0; facet < kFacets; ++facet) {
         add_fan({at(ring, facet), at(ring + 1, facet), at(ring + 1, facet + 1), at(ring, facet + 1)}, out);
       }

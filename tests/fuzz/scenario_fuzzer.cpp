@@ -13,9 +13,8 @@
 
 #include "controller/scenario/load.hpp"
 
+namespace mayfly {
 namespace {
-
-using namespace mayfly;
 
 void require(bool holds, const char* what) {
   if (!holds) {
@@ -108,3 +107,5 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   }
   return 0;
 }
+
+}  // namespace mayfly

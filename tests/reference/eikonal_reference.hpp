@@ -12,43 +12,84 @@
 
 namespace mayfly::reference {
 
-// slowness: per cell, blocked where infinite or ≤ 0; cost: fixed values of source cells, +inf elsewhere. x
-// fastest.
-inline std::vector<double> fast_marching(int nx, int ny, int nz, double cell,
-                                         const std::vector<float>& slowness, const std::vector<float>& cost) {
-  const double infinity = std::numeric_limits<double>::infinity();
-  const std::size_t count = slowness.size();
-  std::vector<double> value(count, infinity);
-  std::vector<bool> final_value(count, false);
-  std::vector<bool> source(count, false);
-  using Entry = std::pair<double, std::size_t>;
-  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> heap;
-  const auto blocked = [&](std::size_t c) { return !(slowness[c] > 0.0F) || std::isinf(slowness[c]); };
-  for (std::size_t c = 0; c < count; ++c) {
-    if (!blocked(c) && !std::isinf(cost[c])) {
-      value[c] = static_cast<double>(cost[c]);
-      source[c] = true;
-      heap.emplace(value[c], c);
+class FastMarching {
+ public:
+  FastMarching(std::array<int, 3> size, double cell, const std::vector<float>& slowness,
+               const std::vector<float>& cost)
+      : size_(size),
+        stride_{1, static_cast<std::size_t>(size[0]),
+                static_cast<std::size_t>(size[0]) * static_cast<std::size_t>(size[1])},
+        cell_(cell),
+        slowness_(slowness),
+        value_(slowness.size(), kInfinity),
+        final_(slowness.size(), false),
+        source_(slowness.size(), false) {
+    for (std::size_t c = 0; c < value_.size(); ++c) {
+      if (!blocked(c) && !std::isinf(cost[c])) {
+        source_[c] = true;
+        value_[c] = static_cast<double>(cost[c]);
+        heap_.emplace(value_[c], c);
+      }
     }
   }
-  const std::array<int, 3> size{nx, ny, nz};
-  const std::array<std::size_t, 3> stride{1, static_cast<std::size_t>(nx),
-                                          static_cast<std::size_t>(nx) * static_cast<std::size_t>(ny)};
-  const auto coordinate = [&](std::size_t c, std::size_t axis) {
-    return static_cast<int>(c / stride[axis] % static_cast<std::size_t>(size[axis]));
-  };
+
+  std::vector<double> run() {
+    while (!heap_.empty()) {
+      const auto [cost_here, c] = heap_.top();
+      heap_.pop();
+      if (!final_[c] && cost_here <= value_[c]) {
+        final_[c] = true;
+        update_neighbours(c);
+      }
+    }
+    return value_;
+  }
+
+ private:
+  static constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  using Entry = std::pair<double, std::size_t>;
+
+  bool blocked(std::size_t c) const { return !(slowness_[c] > 0.0F) || std::isinf(slowness_[c]); }
+
+  int coordinate(std::size_t c, std::size_t axis) const {
+    return static_cast<int>(c / stride_[axis] % static_cast<std::size_t>(size_[axis]));
+  }
+
+  void update_neighbours(std::size_t c) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      if (coordinate(c, axis) > 0) {
+        update(c - stride_[axis]);
+      }
+      if (coordinate(c, axis) + 1 < size_[axis]) {
+        update(c + stride_[axis]);
+      }
+    }
+  }
+
+  void update(std::size_t c) {
+    if (final_[c] || source_[c] || blocked(c)) {
+      return;
+    }
+    const double u = value_from_neighbours(c);
+    if (u < value_[c]) {
+      value_[c] = u;
+      heap_.emplace(u, c);
+    }
+  }
+
   // Every neighbour counts with its present value: in a sweep order of any kind the fixed point is the same,
   // and here values that are not final are larger than the one being computed.
-  const auto update = [&](std::size_t c) {
+  double value_from_neighbours(std::size_t c) const {
     std::vector<double> a;
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      double low = infinity;
-      if (coordinate(c, axis) > 0) low = std::min(low, value[c - stride[axis]]);
-      if (coordinate(c, axis) + 1 < size[axis]) low = std::min(low, value[c + stride[axis]]);
-      if (!std::isinf(low)) a.push_back(low);
+      const double before = coordinate(c, axis) > 0 ? value_[c - stride_[axis]] : kInfinity;
+      const double after = coordinate(c, axis) + 1 < size_[axis] ? value_[c + stride_[axis]] : kInfinity;
+      if (const double low = std::min(before, after); !std::isinf(low)) {
+        a.push_back(low);
+      }
     }
     std::sort(a.begin(), a.end());
-    const double f = static_cast<double>(slowness[c]) * cell;
+    const double f = static_cast<double>(slowness_[c]) * cell_;
     double u = a[0] + f;
     for (std::size_t used = 2; used <= a.size() && u > a[used - 1]; ++used) {
       double sum = 0.0;
@@ -61,27 +102,23 @@ inline std::vector<double> fast_marching(int nx, int ny, int nz, double cell,
       u = a[0] + (sum + std::sqrt(std::max(sum * sum - n * (squares - f * f), 0.0))) / n;
     }
     return u;
-  };
-  while (!heap.empty()) {
-    const auto [cost_here, c] = heap.top();
-    heap.pop();
-    if (final_value[c] || cost_here > value[c]) continue;
-    final_value[c] = true;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      for (const int side : {-1, 1}) {
-        const int at = coordinate(c, axis) + side;
-        if (at < 0 || at >= size[axis]) continue;
-        const std::size_t neighbour = side < 0 ? c - stride[axis] : c + stride[axis];
-        if (final_value[neighbour] || source[neighbour] || blocked(neighbour)) continue;
-        const double u = update(neighbour);
-        if (u < value[neighbour]) {
-          value[neighbour] = u;
-          heap.emplace(u, neighbour);
-        }
-      }
-    }
   }
-  return value;
+
+  std::array<int, 3> size_;
+  std::array<std::size_t, 3> stride_;
+  double cell_;
+  const std::vector<float>& slowness_;
+  std::vector<double> value_;
+  std::vector<bool> final_;
+  std::vector<bool> source_;
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> heap_;
+};
+
+// slowness: per cell, blocked where infinite or ≤ 0; cost: fixed values of source cells, +inf elsewhere. x
+// fastest.
+inline std::vector<double> fast_marching(int nx, int ny, int nz, double cell,
+                                         const std::vector<float>& slowness, const std::vector<float>& cost) {
+  return FastMarching({nx, ny, nz}, cell, slowness, cost).run();
 }
 
 }  // namespace mayfly::reference

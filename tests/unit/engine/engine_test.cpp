@@ -90,8 +90,9 @@ TEST(NativeEngine, PartsPairsThatWouldBeTooNear) {
   for (std::size_t p = 0; p < kPairs; ++p) {
     for (std::size_t side = 0; side < 2; ++side) {
       const std::size_t a = p + side * kPairs;
+      const std::size_t row = p / 10;
       at.x[a] = 1.0F + 2.2F * static_cast<float>(p % 10) + 0.05F * static_cast<float>(side);
-      at.y[a] = 1.0F + 2.2F * static_cast<float>(p / 10);
+      at.y[a] = 1.0F + 2.2F * static_cast<float>(row);
       at.z[a] = 2.0F;
     }
   }

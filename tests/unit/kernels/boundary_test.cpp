@@ -6,7 +6,7 @@
 #include "tests/reference/walls_reference.hpp"
 #include "tests/unit/kernels/lanes.hpp"
 
-namespace mayfly {
+namespace mayfly::kernels {
 namespace {
 
 using namespace kernels;
@@ -158,4 +158,4 @@ TEST(WallGuard, LetsNothingInFasterThanTheClearanceAllows) {
 }
 
 }  // namespace
-}  // namespace mayfly
+}  // namespace mayfly::kernels

@@ -8,7 +8,7 @@
 #include "tests/reference/walls_reference.hpp"
 #include "tests/unit/kernels/lanes.hpp"
 
-namespace mayfly {
+namespace mayfly::kernels {
 namespace {
 
 using namespace kernels;
@@ -114,4 +114,4 @@ TEST(Surface, EqualsTheQuadraticSplineWithItsDerivatives) {
 }
 
 }  // namespace
-}  // namespace mayfly
+}  // namespace mayfly::kernels

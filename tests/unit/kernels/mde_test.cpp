@@ -4,7 +4,7 @@
 
 #include "tests/unit/kernels/lanes.hpp"
 
-namespace mayfly {
+namespace mayfly::kernels {
 namespace {
 
 using namespace kernels;
@@ -52,4 +52,4 @@ TEST(Push, IgnoresLanesThatDoNotCount) {
 }
 
 }  // namespace
-}  // namespace mayfly
+}  // namespace mayfly::kernels

@@ -9,7 +9,7 @@
 #include "tests/reference/noise_reference.hpp"
 #include "tests/unit/kernels/lanes.hpp"
 
-namespace mayfly {
+namespace mayfly::kernels {
 namespace {
 
 using namespace kernels;
@@ -193,4 +193,4 @@ TEST(Noise, SurvivesWhatIsNotANumber) {
 }
 
 }  // namespace
-}  // namespace mayfly
+}  // namespace mayfly::kernels
