@@ -216,9 +216,10 @@ MF_FN F mf_clamp(F a, float low, float high) {
   return mf_min(mf_max(a, mf_splat(low)), mf_splat(high));
 }
 
-// The greatest whole number not above a, for |a| < 2^31.
+// The greatest whole number not above a, for |a| ≤ 2^30; beyond that, and of NaN, some whole number that far
+// out, so that the sums made of it fit as well.
 MF_FN I mf_floor(F a) {
-  const I whole = mf_truncate(a);
+  const I whole = mf_truncate(mf_clamp(a, -1073741824.0f, 1073741824.0f));
   return whole + (mf_to_float(whole) > a);  // a mask is -1 where it holds
 }
 
