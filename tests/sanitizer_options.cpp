@@ -10,13 +10,16 @@ const char* __ubsan_default_options();
 const char* __tsan_default_suppressions();
 const char* __tsan_default_options();
 
-// PoCL and LLVM keep what they allocated until the process ends.
+// PoCL, LLVM and fontconfig keep what they allocated until the process ends; Assimp forgets what it was
+// reading when it refuses a damaged file.
 const char* __lsan_default_suppressions() {
   return "leak:libpocl\n"
          "leak:libLLVM\n"
          "leak:libclang-cpp\n"
          "leak:libOpenCL\n"
-         "leak:libhwloc\n";
+         "leak:libhwloc\n"
+         "leak:libfontconfig\n"
+         "leak:libassimp\n";
 }
 const char* __lsan_default_options() {
   return "print_suppressions=0";
