@@ -4,7 +4,7 @@
 #include "tests/contract/sim_factory.hpp"
 
 // The example's own class: what a reader copies must keep the contract as well.
-#define main own_hal_main
+#define main own_hal_main  // NOLINT(readability-identifier-naming)
 #include "examples/own_hal.cpp"
 #undef main
 
