@@ -13,9 +13,9 @@ struct Fixture {
   Fixture() {
     std::vector<std::unique_ptr<Hal>> children;
     for (const auto& [prefix, robots] : {std::pair{"a", 2}, {"b", 3}, {"c", 1}}) {
-      auto child = std::make_unique<ScriptedHal>(robots, prefix);
-      child.push_back(child.get());
-      children.push_back(std::move(child));
+      auto scripted = std::make_unique<ScriptedHal>(robots, prefix);
+      child.push_back(scripted.get());
+      children.push_back(std::move(scripted));
     }
     hal = std::make_unique<CompositeHal>("all", std::move(children));
   }
