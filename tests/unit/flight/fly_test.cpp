@@ -2,7 +2,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <glm/geometric.hpp>
+#include <limits>
+#include <tuple>
 
 #include "tests/unit/flight/sortie.hpp"
 

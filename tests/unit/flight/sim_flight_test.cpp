@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "sim_hal/sim_hal.hpp"
 #include "tests/unit/flight/sortie.hpp"

@@ -1,6 +1,7 @@
 // All that one flight needs, put together from a scenario.
 #pragma once
 
+#include <cstdlib>
 #include <memory>
 #include <utility>
 #include <vector>
