@@ -17,23 +17,22 @@ TEST(InterfaceExample, IsFlownAsItExpects) {
               flown.number("mde_percent"));
 }
 
-class Robots : public ::testing::TestWithParam<std::tuple<const char*, const char*>> {};
+class Robots : public ::testing::TestWithParam<std::tuple<std::string, std::string>> {};
 
 TEST_P(Robots, FlyAroundTwoBlocksUnharmed) {
   const auto& [plant, governor] = GetParam();
-  const Flown flown =
-      fly(scenario_file("two_blocks_around"),
-          {"--set", "swarms.flies.count=60", "--set", std::string("swarms.flies.governor=") + governor,
-           "--set", "swarms.flies.limits={speed: 3, acceleration: 20, separation: 0.2}", "--set",
-           std::string("hal.sim.plant=") + plant});
+  const Flown flown = fly(scenario_file("two_blocks_around"),
+                          {"--set", "swarms.flies.count=60", "--set", "swarms.flies.governor=" + governor,
+                           "--set", "swarms.flies.limits={speed: 3, acceleration: 20, separation: 0.2}",
+                           "--set", "hal.sim.plant=" + plant});
   ASSERT_LE(flown.exit_code, 1);
   expect_kept(flown);
   EXPECT_EQ(flown.number("reached_fraction"), 1.0);
   EXPECT_EQ(flown.number("penetrations"), 0);
   EXPECT_EQ(flown.number("collisions"), 0);
   EXPECT_LE(flown.number("max_speed_mps"), 3.0 * (1 + 1e-5));
-  std::printf("%s, governor %s: separation %.4f m, MDE %.3f %%, %g m/s2, %g interventions\n", plant, governor,
-              flown.number("min_separation_m"), flown.number("mde_percent"),
+  std::printf("%s, governor %s: separation %.4f m, MDE %.3f %%, %g m/s2, %g interventions\n", plant.c_str(),
+              governor.c_str(), flown.number("min_separation_m"), flown.number("mde_percent"),
               flown.number("max_acceleration_mps2"), flown.number("governor_interventions"));
 }
 
@@ -41,7 +40,7 @@ INSTANTIATE_TEST_SUITE_P(Plants, Robots,
                          ::testing::Combine(::testing::Values("ideal", "velocity_lag", "double_integrator"),
                                             ::testing::Values("off", "on")),
                          [](const auto& row) {
-                           return std::string(std::get<0>(row.param)) + "_governor_" + std::get<1>(row.param);
+                           return std::get<0>(row.param) + "_governor_" + std::get<1>(row.param);
                          });
 
 }  // namespace
