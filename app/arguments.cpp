@@ -45,8 +45,8 @@ void add_run(CLI::App& app, RunOptions& options, Raw& raw) {
   const std::map<std::string, EngineChoice> engines{{"native", EngineChoice::kNative},
                                                     {"opencl", EngineChoice::kOpenCl}};
   run.add_option("--engine", options.engine, "What computes the model: native or opencl")
-      ->type_name("NAME")
-      ->transform(CLI::Transformer(engines))
+      ->transform(CLI::Transformer(engines).description(""))
+      ->type_name("native|opencl")
       ->check(CLI::IsMember(std::vector{EngineChoice::kNative, EngineChoice::kOpenCl}, nullptr)
                   .description("")
                   .name("native|opencl"));

@@ -16,6 +16,7 @@
 #include "controller/clock/realtime_rights.hpp"
 #include "controller/flight/placement.hpp"
 #include "controller/scenario/load.hpp"
+#include "simulate/robots.hpp"
 
 namespace mayfly::app {
 namespace {
@@ -82,7 +83,7 @@ int fly_and_tell(const RunOptions& options, const Scenario& scenario, const Worl
     return refuse(outputs.error());
   }
   const auto clock = make_clock(options.fast);
-  const WiredHal wired = make_hal(scenario, positions, *clock);
+  const simulate::Robots robots = simulate::make_robots(scenario, positions, *clock);
   FlightGauge gauge;
   announce(options, scenario, **engine, models.agents());
   auto summary = [&] {
@@ -91,8 +92,8 @@ int fly_and_tell(const RunOptions& options, const Scenario& scenario, const Worl
     auto flown = fly({.scenario = scenario,
                       .world = world,
                       .engine = **engine,
-                      .hal = *wired.hal,
-                      .truth = wired.truth.get(),
+                      .hal = *robots.hal,
+                      .truth = robots.truth.get(),
                       .clock = *clock,
                       .observers = outputs->observers(),
                       .stop = &signals.stop(),

@@ -55,8 +55,8 @@ void add_timing(Out out, const Summary& s, bool real_time) {
          fmt::format("{:.0f} µs (median), 99 % below {:.0f} µs, 99.9 % below {:.0f} µs, {:.0f} µs at worst",
                      j.p50, j.p99, j.p999, j.max));
     line(out, "missed",
-         fmt::format("{} of {} releases, {} of them because the machine woke us late", s.control.missed,
-                     s.control.ticks + s.control.missed, s.control.missed_by_machine));
+         fmt::format("{} releases beside {} ticks flown, {} of them because the machine woke us late",
+                     s.control.missed, s.control.ticks, s.control.missed_by_machine));
   }
 }
 

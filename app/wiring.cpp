@@ -7,80 +7,13 @@
 
 #include "controller/clock/realtime_clock.hpp"
 #include "controller/clock/virtual_clock.hpp"
-#include "controller/composite_hal.hpp"
 #include "controller/scenario/suggest.hpp"
-#include "sim_hal/sim_hal.hpp"
 
 namespace mayfly::app {
 namespace {
 
 // Fewer than this many agents are not worth waking another thread for.
 constexpr std::size_t kAgentsAThread = 2000;
-
-sim_hal::Plant plant_of(PlantKind kind) {
-  switch (kind) {
-    case PlantKind::kVelocityLag:
-      return sim_hal::Plant::kVelocityLag;
-    case PlantKind::kDoubleIntegrator:
-      return sim_hal::Plant::kDoubleIntegrator;
-    case PlantKind::kIdeal:
-      break;
-  }
-  return sim_hal::Plant::kIdeal;
-}
-
-sim_hal::SimHalConfig config_of(const HalSpec& spec, const Scenario& scenario, Clock& clock) {
-  sim_hal::SimHalConfig config;
-  config.name = spec.name;
-  config.plant = plant_of(spec.sim.plant);
-  config.time_constant = spec.sim.time_constant;
-  config.rate_hz = static_cast<double>(spec.sim.rate);
-  config.faults = {spec.sim.pose_noise, spec.sim.delay,       spec.sim.dropout,
-                   spec.sim.freeze,     spec.sim.freeze_time, spec.sim.nan};
-  config.seed = scenario.seed;
-  config.lock_step = clock.is_virtual();
-  config.clock = &clock;
-  return config;
-}
-
-void add_swarm(sim_hal::SimHalConfig& config, const SwarmSpec& swarm, std::span<const glm::vec3> positions) {
-  for (std::size_t i = 0; i < positions.size(); ++i) {
-    config.robot_names.push_back(fmt::format("{}_{}", swarm.name, i));
-    config.positions.push_back(positions[i]);
-    config.max_speed.push_back(swarm.limits.speed);
-    config.max_acceleration.push_back(swarm.limits.acceleration);
-  }
-}
-
-const HalSpec& spec_of(const Scenario& scenario, const std::string& name) {
-  // The loader has checked that it is there.
-  return *std::find_if(scenario.hals.begin(), scenario.hals.end(),
-                       [&](const HalSpec& hal) { return hal.name == name; });
-}
-
-class SimTruth final : public GroundTruth {
- public:
-  explicit SimTruth(std::vector<sim_hal::SimHal*> hals) : hals_(std::move(hals)) {}
-
-  void truth(const StateColumns& to) const noexcept override {
-    std::size_t first = 0;
-    for (sim_hal::SimHal* hal : hals_) {
-      const sim_hal::PoseView from = hal->truth();
-      const std::array<std::span<float>, 6> columns{to.x, to.y, to.z, to.vx, to.vy, to.vz};
-      const std::size_t count = from.columns[0].size();
-      for (std::size_t c = 0; c < columns.size(); ++c) {
-        std::copy(from.columns[c].begin(), from.columns[c].end(),
-                  columns[c].begin() + static_cast<std::ptrdiff_t>(first));
-      }
-      std::fill_n(to.stamp.begin() + static_cast<std::ptrdiff_t>(first), count, from.stamp);
-      std::fill_n(to.valid.begin() + static_cast<std::ptrdiff_t>(first), count, std::uint8_t{1});
-      first += count;
-    }
-  }
-
- private:
-  std::vector<sim_hal::SimHal*> hals_;
-};
 
 }  // namespace
 
@@ -121,34 +54,6 @@ Result<std::unique_ptr<Engine>> make_engine(EngineChoice choice, int threads, co
     return fail(std::move(prepared.error()));
   }
   return engine;
-}
-
-WiredHal make_hal(const Scenario& scenario, const std::vector<glm::vec3>& positions, Clock& clock) {
-  // Neighbouring swarms of one HAL share it; the order of robots is the order of agents.
-  std::vector<sim_hal::SimHalConfig> configs;
-  std::size_t first = 0;
-  for (const SwarmSpec& swarm : scenario.swarms) {
-    if (configs.empty() || configs.back().name != swarm.robots) {
-      configs.push_back(config_of(spec_of(scenario, swarm.robots), scenario, clock));
-    }
-    const auto count = static_cast<std::size_t>(swarm.count);
-    add_swarm(configs.back(), swarm, std::span(positions).subspan(first, count));
-    first += count;
-  }
-  std::vector<sim_hal::SimHal*> sims;
-  std::vector<std::unique_ptr<Hal>> hals;
-  for (sim_hal::SimHalConfig& config : configs) {
-    auto hal = std::make_unique<sim_hal::SimHal>(std::move(config));
-    sims.push_back(hal.get());
-    hals.push_back(std::move(hal));
-  }
-  WiredHal wired;
-  wired.hal = hals.size() == 1 ? std::move(hals.front())
-                               : std::make_unique<CompositeHal>("composite", std::move(hals));
-  if (clock.is_virtual()) {
-    wired.truth = std::make_unique<SimTruth>(std::move(sims));
-  }
-  return wired;
 }
 
 }  // namespace mayfly::app

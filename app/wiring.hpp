@@ -7,12 +7,10 @@
 
 #include "app/arguments.hpp"
 #include "controller/engine/engine.hpp"
-#include "controller/flight/flight.hpp"
 #include "controller/flight/swarm_models.hpp"
 #include "controller/flight/world.hpp"
 #include "controller/scenario/scenario.hpp"
 #include "core/clock.hpp"
-#include "core/hal.hpp"
 
 namespace mayfly::app {
 
@@ -23,13 +21,5 @@ std::unique_ptr<Clock> make_clock(bool fast);
 
 // Ready to compute. `models` and what they point into must outlive it.
 Result<std::unique_ptr<Engine>> make_engine(EngineChoice choice, int threads, const SwarmModels& models);
-
-struct WiredHal {
-  std::unique_ptr<Hal> hal;
-  std::unique_ptr<GroundTruth> truth;  // none on the real clock: then the simulation has a life of its own
-};
-
-// One robot an agent, in the scenario's order, starting at `positions`. `clock` must outlive the HAL.
-WiredHal make_hal(const Scenario& scenario, const std::vector<glm::vec3>& positions, Clock& clock);
 
 }  // namespace mayfly::app

@@ -1,12 +1,8 @@
 // A test of your own scenario: flown on simulated robots and a virtual clock, and held to what you need of
 // it.
 #include <cstdio>
-#include "controller/clock/virtual_clock.hpp"
-#include "controller/flight/flight.hpp"
-#include "controller/flight/placement.hpp"
-#include "controller/flight/swarm_models.hpp"
 #include "controller/scenario/load.hpp"
-#include "sim_hal/sim_hal.hpp"
+#include "simulate/fly_simulated.hpp"
 
 constexpr auto kScenario = R"(
 mayfly: 1
@@ -30,24 +26,8 @@ int main() {
   const mayfly::Override more = *mayfly::parse_override("swarms.flies.count=60");  // as --set does
   const auto scenario = mayfly::load_scenario_text(kScenario, "my_scenario.yaml", {&more, 1});
   if (!scenario) return refuse(scenario.error());
-  const auto world = mayfly::build_world(*scenario, 0, {});
-  if (!world) return refuse(world.error());
-  const auto places = mayfly::place_agents(*scenario, *world);
-  if (!places) return refuse(places.error());
-
-  const mayfly::SwarmModels models = mayfly::make_swarm_models(*scenario, *world);
-  const auto engine = mayfly::make_native_engine(1);
-  if (!engine->prepare(models.swarms, models.agents())) return 2;
-  mayfly::sim_hal::SimHalConfig robots;
-  robots.plant = mayfly::sim_hal::Plant::kVelocityLag;
-  robots.positions = *places;
-  for (int i = 0; i < 60; ++i) robots.robot_names.push_back("fly" + std::to_string(i));
-  mayfly::sim_hal::SimHal hal(std::move(robots));
-  mayfly::VirtualClock clock;
-
-  const auto flown =
-      mayfly::fly({.scenario = *scenario, .world = *world, .engine = *engine, .hal = hal, .clock = clock});
-  if (!flown) return refuse({flown.error()});
+  const auto flown = mayfly::simulate::fly_simulated(*scenario);
+  if (!flown) return refuse(flown.error());
   std::printf("%g reached, %g m apart at least\n", *flown->reached_fraction, *flown->min_separation_m);
   return flown->reached_fraction == 1.0 && flown->penetrations == 0U && flown->collisions == 0U ? 0 : 1;
 }

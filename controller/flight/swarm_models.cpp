@@ -13,8 +13,10 @@ namespace {
 
 constexpr std::uint32_t kNoiseStream = 0x4015E000U;
 
+// Sweeps that are done before a crowd is quite parted leave a little of each overlap.
+constexpr float kSweepMargin = 1.002F;
 // An agent slows down over the way that it cruises in this time, s.
-constexpr float kSlowDown = 1.0F;
+constexpr float kSlowDown = 3.0F;
 
 std::optional<HalSpec> hal_of(const Scenario& scenario, const SwarmSpec& swarm) {
   const auto hal = std::find_if(scenario.hals.begin(), scenario.hals.end(),
@@ -68,7 +70,7 @@ float enforced_distance(const Scenario& scenario, const SwarmSpec& swarm, bool i
   const float farthest = std::max({std::fabs(b.min.x), std::fabs(b.min.y), std::fabs(b.min.z),
                                    std::fabs(b.max.x), std::fabs(b.max.y), std::fabs(b.max.z)});
   const float rounding = 8.0F * (std::nextafter(farthest, INFINITY) - farthest);
-  return swarm.limits.separation + rounding + trailing_margin(scenario, swarm, in_real_time);
+  return swarm.limits.separation * kSweepMargin + rounding + trailing_margin(scenario, swarm, in_real_time);
 }
 
 // The deepest place of the goal, m from its surface: the guide holds minus the depth there.
@@ -92,7 +94,7 @@ kernels::MfField kernel_field(const Scenario& scenario, const SwarmSpec& swarm, 
   field.boundary = swarm.boundary.value_or(world.grid.cell);
   field.cruise_speed = swarm.cruise_speed;
   field.slow_down = swarm.cruise_speed * kSlowDown;
-  field.goal_margin = std::max(std::min(field.slow_down, 0.5F * depth), 1e-3F);
+  field.goal_margin = std::max(std::min(0.5F * world.grid.cell, 0.25F * depth), 1e-3F);
   field.radius = swarm.radius;
   field.approach_rate = approach_rate(scenario);
   field.wall_reach =

@@ -23,6 +23,7 @@ const std::map<std::string, Rooms, std::less<>>& allowed() {
       {"controller", {"controller", "fields", "compute", "kernels", "core"}},
       {"drivers", {"drivers", "core"}},
       {"sim_hal", {"sim_hal", "compute", "drivers", "kernels", "core"}},
+      {"simulate", {"simulate", "controller", "sim_hal", "fields", "compute", "drivers", "kernels", "core"}},
       {"record", {"record", "controller", "fields", "compute", "kernels", "core"}},
       {"analysis", {"analysis", "controller", "fields", "compute", "kernels", "core"}},
   };

@@ -1,0 +1,23 @@
+// The simulated robots of a scenario.
+#pragma once
+
+#include <glm/vec3.hpp>
+#include <memory>
+#include <vector>
+
+#include "controller/flight/flight.hpp"
+#include "controller/scenario/scenario.hpp"
+#include "core/clock.hpp"
+#include "core/hal.hpp"
+
+namespace mayfly::simulate {
+
+struct Robots {
+  std::unique_ptr<Hal> hal;
+  std::unique_ptr<GroundTruth> truth;  // none on the real clock: then the simulation has a life of its own
+};
+
+// One robot an agent, in the scenario's order, starting at `positions` (m). `clock` must outlive the HAL.
+Robots make_robots(const Scenario& scenario, const std::vector<glm::vec3>& positions, Clock& clock);
+
+}  // namespace mayfly::simulate
