@@ -13,13 +13,15 @@ typedef struct {
   MfNoise noise;
   int has_noise;
   int has_walls;
-  float boundary;       // m, d0
-  float wall_reach;     // m: further out than this nothing of a wall is felt
-  float cruise_speed;   // m/s, s0
-  float slow_down;      // m over which the speed falls to 0 at an agent's place in its goal
-  float goal_margin;    // m of depth over which an agent turns to that place
-  float radius;         // m, of the body
-  float approach_rate;  // 1/s: an agent nears a wall no faster than this times its clearance
+  float boundary;                // m, d0
+  float wall_reach;              // m: further out than this nothing of a wall is felt
+  float cruise_speed;            // m/s, s0
+  float slow_down;               // m over which the speed falls to 0 at an agent's place in its goal
+  float goal_margin;             // m of depth over which an agent turns to that place
+  float radius;                  // m, of the body
+  float low_x, low_y, low_z;     // m: the world's bounds, less the radius
+  float high_x, high_y, high_z;  // m
+  float approach_rate;           // 1/s: an agent nears a wall no faster than this times its clearance
 } MfField;
 
 // V_g = −∇C/|∇C| · s0 (Wang14 Eq. 8). The guide holds a unit direction and C/A (m; inside the goal minus the
@@ -46,13 +48,26 @@ MF_FN F3 mf_guard_wall(F3 v, const MfSurface* s, const MfField* field) {
   return mf3_add(v, mf3_scale(n, lack));
 }
 
+// The same for the world's bounds, axis by axis: at a bound an agent slides along it instead of pressing
+// against the fence.
+MF_FN F3 mf_guard_bounds(F3 v, F3 r, const MfField* field) {
+  const float rate = field->approach_rate;
+  const F3 least = mf3_scale(mf3_sub(mf3_splat(field->low_x, field->low_y, field->low_z), r), mf_splat(rate));
+  const F3 most =
+      mf3_scale(mf3_sub(mf3_splat(field->high_x, field->high_y, field->high_z), r), mf_splat(rate));
+  return mf3(mf_min(mf_max(v.x, least.x), most.x), mf_min(mf_max(v.y, least.y), most.y),
+             mf_min(mf_max(v.z, least.z), most.z));
+}
+
 // The guard alone, for velocities that were changed after the model gave them.
 MF_FN F3 mf_field_guard(F3 r, F3 v, const MfField* field, const MF_GLOBAL float* walls) {
+  const F3 inside = mf_guard_bounds(v, r, field);
+  if (!field->has_walls) return inside;
   const MfCube cube = mf_cube(r, &field->grid);
   const I near_wall = mf_sample(walls, &cube, 1, 0) < mf_splat(field->wall_reach);
-  if (!mf_any(near_wall)) return v;
+  if (!mf_any(near_wall)) return inside;
   const MfSurface surface = mf_surface(r, walls, &field->grid);
-  return mf3_select(near_wall, mf_guard_wall(v, &surface, field), v);
+  return mf3_select(near_wall, mf_guard_wall(inside, &surface, field), inside);
 }
 
 // The preferred velocity of eight agents at r (m). walls: spline coefficients of φ (m), guide: 4 floats a
@@ -64,7 +79,7 @@ MF_FN F3 mf_field_velocity(F3 r, F3 rest, const MfField* field, const MF_GLOBAL 
   const F3 guided = mf_global_velocity(r, rest, &cube, guide, field);
   F3 noise = mf3_splat(0.0f, 0.0f, 0.0f);
   if (field->has_noise) noise = mf_curl_noise(r, &field->noise, table);
-  F3 v = mf3_add(noise, guided);
+  F3 v = mf_guard_bounds(mf3_add(noise, guided), r, field);
   if (!field->has_walls) return v;
   const I near_wall = mf_sample(walls, &cube, 1, 0) < mf_splat(field->wall_reach);
   if (!mf_any(near_wall)) return v;
@@ -73,7 +88,8 @@ MF_FN F3 mf_field_velocity(F3 r, F3 rest, const MfField* field, const MF_GLOBAL 
     const MfJet potential = mf_potential(r, &field->noise, table);
     noise = mf_bounded_curl(&potential, &surface, field->boundary);
   }
-  return mf3_select(near_wall, mf_guard_wall(mf3_add(noise, guided), &surface, field), v);
+  return mf3_select(near_wall,
+                    mf_guard_wall(mf_guard_bounds(mf3_add(noise, guided), r, field), &surface, field), v);
 }
 
 MF_END

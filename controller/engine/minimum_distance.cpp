@@ -115,9 +115,6 @@ void MinimumDistance::correct(const PositionColumns& at, float period_s,
     }
   }
   for (const SwarmModel& swarm : swarms_) {
-    if (swarm.field.has_walls == 0) {
-      continue;
-    }
     for (std::size_t local = 0; local < swarm.count; local += MF_LANES) {
       guard_lanes(swarm, at, velocity, local, moved_);
     }

@@ -97,6 +97,14 @@ kernels::MfField kernel_field(const Scenario& scenario, const SwarmSpec& swarm, 
   field.goal_margin = std::max(std::min(0.5F * world.grid.cell, 0.25F * depth), 1e-3F);
   field.radius = swarm.radius;
   field.approach_rate = approach_rate(scenario);
+  const glm::vec3 low = scenario.world.bounds.min + swarm.radius;
+  const glm::vec3 high = scenario.world.bounds.max - swarm.radius;
+  field.low_x = low.x;
+  field.low_y = low.y;
+  field.low_z = low.z;
+  field.high_x = high.x;
+  field.high_y = high.y;
+  field.high_z = high.z;
   field.wall_reach =
       std::max(field.boundary + world.grid.cell, swarm.radius + swarm.limits.speed / field.approach_rate);
   return field;

@@ -72,6 +72,8 @@ struct SmallWorld {
     f.goal_margin = 0.5F;
     f.radius = 0.05F;
     f.approach_rate = 5;
+    f.low_x = f.low_y = f.low_z = -1000;
+    f.high_x = f.high_y = f.high_z = 1000;
     return model;
   }
 };

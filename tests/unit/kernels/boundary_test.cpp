@@ -137,6 +137,9 @@ TEST(WallGuard, LetsNothingInFasterThanTheClearanceAllows) {
   field.radius = 0.1F;
   field.approach_rate = 2.0F;
   field.wall_reach = 3.0F;
+  field.has_walls = 1;
+  field.low_x = field.low_y = field.low_z = -100.0F;
+  field.high_x = field.high_y = field.high_z = 100.0F;
   Points points(1);
   for (int n = 0; n < 500; ++n) {
     const double height = -0.3 + 0.004 * n;
@@ -155,6 +158,20 @@ TEST(WallGuard, LetsNothingInFasterThanTheClearanceAllows) {
           << "changed more than it had to";
     }
   }
+}
+
+TEST(BoundsGuard, LetsAgentsSlideAlongTheWorldsBounds) {
+  MfField field{};
+  field.approach_rate = 2.0F;
+  field.low_x = field.low_y = field.low_z = 0.0F;
+  field.high_x = field.high_y = field.high_z = 10.0F;
+  const Vec v = lane(mf_guard_bounds(all_lanes({3, -3, 1}), all_lanes({5, 0, 9.9}), &field));
+  EXPECT_NEAR(v[0], 3, 1e-6) << "far from every bound";
+  EXPECT_NEAR(v[1], 0, 1e-6) << "at the bound";
+  EXPECT_NEAR(v[2], 0.2, 1e-5) << "0.1 m from it, at 2/s";
+  const Vec back = lane(mf_guard_bounds(all_lanes({0, 0, 0}), all_lanes({-1, 5, 11}), &field));
+  EXPECT_NEAR(back[0], 2, 1e-6) << "outside, it comes back";
+  EXPECT_NEAR(back[2], -2, 1e-6);
 }
 
 }  // namespace
