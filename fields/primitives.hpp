@@ -12,6 +12,7 @@ namespace mayfly::fields {
 using Primitive = std::variant<BoxShape, SphereShape, CylinderShape, HalfSpaceShape>;
 
 // m, negative inside; exact everywhere, inside too.
+// Why it cannot throw: primitives.cpp. NOLINTNEXTLINE(bugprone-exception-escape)
 double signed_distance(const Primitive& primitive, const glm::dvec3& point) noexcept;
 
 // Refuses numbers that are not finite, empty boxes, radii that are not positive, cylinders and normals

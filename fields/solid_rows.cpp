@@ -31,22 +31,29 @@ Range cells_between(float low, float high, const Grid& grid, int axis) {
 
 }  // namespace
 
-// visit(row, solid, corners, y, z, passes) for each crossing.
+// visit(row, center, passes) for each row that crosses the triangle.
+void SolidRows::cross_triangle(const TriangleTree::Corners& t, const auto& visit) const {
+  const auto [low_y, high_y] = std::minmax({t[0].y, t[1].y, t[2].y});
+  const auto [low_z, high_z] = std::minmax({t[0].z, t[1].z, t[2].z});
+  const Range js = cells_between(low_y, high_y, grid_, 1);
+  const Range ks = cells_between(low_z, high_z, grid_, 2);
+  for (int k = ks.first; k <= ks.last; ++k) {
+    for (int j = js.first; j <= js.last; ++j) {
+      const glm::dvec3 center(grid_.center(0, j, k));
+      if (const int passes = crossing(t[0], t[1], t[2], center.y, center.z); passes != 0) {
+        visit(row_index(j, k), center, passes);
+      }
+    }
+  }
+}
+
+// visit(row, solid, corners, center, passes) for each crossing.
 void SolidRows::cross(std::span<const TriangleTree> solids, const auto& visit) const {
   for (std::uint32_t solid = 0; solid < solids.size(); ++solid) {
     for (const TriangleTree::Corners& t : solids[solid].triangles()) {
-      const auto [low_y, high_y] = std::minmax({t[0].y, t[1].y, t[2].y});
-      const auto [low_z, high_z] = std::minmax({t[0].z, t[1].z, t[2].z});
-      const Range js = cells_between(low_y, high_y, grid_, 1);
-      const Range ks = cells_between(low_z, high_z, grid_, 2);
-      for (int k = ks.first; k <= ks.last; ++k) {
-        for (int j = js.first; j <= js.last; ++j) {
-          const glm::dvec3 center(grid_.center(0, j, k));
-          if (const int passes = crossing(t[0], t[1], t[2], center.y, center.z); passes != 0) {
-            visit(row_index(j, k), solid, t, center, passes);
-          }
-        }
-      }
+      cross_triangle(t, [&](std::size_t row, const glm::dvec3& center, int passes) {
+        visit(row, solid, t, center, passes);
+      });
     }
   }
 }

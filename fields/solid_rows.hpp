@@ -31,6 +31,7 @@ class SolidRows {
   };
 
   void cross(std::span<const TriangleTree> solids, const auto& visit) const;
+  void cross_triangle(const TriangleTree::Corners& t, const auto& visit) const;
   void claim(std::vector<int>& row, double from, double to, int solid) const;
   std::size_t row_index(int j, int k) const {
     return static_cast<std::size_t>(j) +

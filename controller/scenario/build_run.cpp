@@ -42,6 +42,7 @@ SimHalSpec build_sim(const Values& values, float control_rate, Findings& finding
 template <class Specs>
 void check_known(const Values& values, const char* key, const Specs& specs, Findings& findings) {
   std::vector<std::string> names;
+  names.reserve(specs.size());
   for (const auto& spec : specs) {
     names.push_back(spec.name);
   }

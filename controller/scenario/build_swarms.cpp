@@ -127,6 +127,7 @@ void check_speeds(const Values& values, const SwarmSpec& swarm, Findings& findin
 template <class Specs>
 std::vector<std::string> names_of(const Specs& specs) {
   std::vector<std::string> names;
+  names.reserve(specs.size());
   for (const auto& spec : specs) {
     names.push_back(spec.name);
   }
