@@ -30,6 +30,8 @@ FlightLine::FlightLine(ProgressLine& line, const FlightGauge& gauge, double dura
         const double wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
         line.show(flight_text(gauge, duration_s, agents, wall_s));
       }
+      // Not the control thread: it only shows, and looks again soon so that the flight's end need not wait
+      // for it.
       std::this_thread::sleep_for(kNap);
     }
     line.clear();
