@@ -14,7 +14,7 @@
 #include "app/summary_table.hpp"
 #include "app/wiring.hpp"
 #include "controller/clock/realtime_rights.hpp"
-#include "controller/flight/placement.hpp"
+#include "controller/flight/prepare.hpp"
 #include "controller/scenario/load.hpp"
 #include "simulate/robots.hpp"
 
@@ -71,26 +71,27 @@ int exit_code_of(const Summary& summary, int signal_number) {
 }
 
 // From here on everything is ready, and Ctrl-C stops the swarm instead of the program.
-int fly_and_tell(const RunOptions& options, const Scenario& scenario, const World& world,
-                 const SwarmModels& models, const std::vector<glm::vec3>& positions, ProgressLine& line) {
-  auto engine = make_engine(options.engine, options.threads, models);
+int fly_and_tell(const RunOptions& options, const Scenario& scenario, const Prepared& ready,
+                 ProgressLine& line) {
+  const std::size_t agents = ready.models.agents();
+  auto engine = make_engine(options.engine, options.threads, ready.models);
   if (!engine) {
     return refuse(engine.error());
   }
   const StopSignals signals;
-  auto outputs = Outputs::open(options, scenario, models.agents());
+  auto outputs = Outputs::open(options, scenario, agents);
   if (!outputs) {
     return refuse(outputs.error());
   }
   const auto clock = make_clock(options.fast);
-  const simulate::Robots robots = simulate::make_robots(scenario, positions, *clock);
+  const simulate::Robots robots = simulate::make_robots(scenario, ready.places, *clock);
   FlightGauge gauge;
-  announce(options, scenario, **engine, models.agents());
+  announce(options, scenario, **engine, agents);
   auto summary = [&] {
-    const FlightLine flight_line(line, gauge, scenario.duration, models.agents());
+    const FlightLine flight_line(line, gauge, scenario.duration, agents);
     get_realtime_rights(options);
     auto flown = fly({.scenario = scenario,
-                      .world = world,
+                      .world = ready.world,
                       .engine = **engine,
                       .hal = *robots.hal,
                       .truth = robots.truth.get(),
@@ -123,22 +124,21 @@ int run(const RunOptions& options) {
     return refuse(scenario.error());
   }
   ProgressLine line(!options.quiet);
-  auto world = build_world(*scenario, options.threads, line.stages());
-  line.clear();
-  if (!world) {
-    return refuse(world.error());
-  }
-  for (const Error& warning : world->warnings) {
+  const auto warn = [&line](const Error& warning) {
+    line.clear();
     log_warning(to_string(warning));
+  };
+  const auto ready = prepare(*scenario, {.threads = options.threads,
+                                         .in_real_time = !options.fast,
+                                         .progress = line.stages(),
+                                         .warn = warn});
+  line.clear();
+  if (!ready) {
+    return refuse(ready.error());
   }
-  const auto positions = place_agents(*scenario, *world);
-  if (!positions) {
-    return refuse(positions.error());
-  }
-  const SwarmModels models = make_swarm_models(*scenario, *world, !options.fast);
-  world->preprocessing.noise = models.noise_s;
-  log_detail(fmt::format("world: {} cells, {} triangles", world->grid.size(), world->solid.triangle_count()));
-  return fly_and_tell(options, *scenario, *world, models, *positions, line);
+  const World& world = (*ready)->world;
+  log_detail(fmt::format("world: {} cells, {} triangles", world.grid.size(), world.solid.triangle_count()));
+  return fly_and_tell(options, *scenario, **ready, line);
 }
 
 }  // namespace mayfly::app

@@ -44,6 +44,13 @@ void add_timing(Out out, const Summary& s, bool real_time) {
   line(out, "fields",
        fmt::format("distance {:.3f} s{}, cost {:.3f} s{}", p.distance, p.distance_cached ? " (cached)" : "",
                    p.cost, p.cost_cached ? " (cached)" : ""));
+  if (s.fields && s.fields->age_s) {
+    line(out, "in flight",
+         fmt::format("fields solved {} times in {} (median), {:.3g} s old (median), {:.3g} s at worst",
+                     s.fields->updates,
+                     s.fields->solve_s ? fmt::format("{:.3g} ms", 1e3 * s.fields->solve_s->p50) : "no time",
+                     s.fields->age_s->p50, s.fields->age_s->max));
+  }
   if (s.control.run_us) {
     line(out, "work",
          fmt::format("{:.0f} µs a tick (median), 99 % below {:.0f} µs, {}", s.control.run_us->p50,

@@ -37,6 +37,20 @@ Json control(const ControlSummary& control) {
           {"run_us", latency(control.run_us)}};
 }
 
+Json spread(const std::optional<Spread>& spread) {
+  if (!spread) {
+    return {{"p50", Json()}, {"p99", Json()}, {"max", Json()}};
+  }
+  return {{"p50", number(spread->p50)}, {"p99", number(spread->p99)}, {"max", number(spread->max)}};
+}
+
+Json fields(const std::optional<FieldsSummary>& fields) {
+  return {{"updates", fields ? Json(fields->updates) : Json()},
+          {"age_s", spread(fields ? fields->age_s : std::nullopt)},
+          {"solve_s", spread(fields ? fields->solve_s : std::nullopt)},
+          {"unreachable", fields ? Json(fields->unreachable) : Json()}};
+}
+
 Json faults(const std::vector<FaultEvent>& events) {
   auto list = Json::array();
   for (const FaultEvent& event : events) {
@@ -88,6 +102,7 @@ std::string to_json(const Summary& s) {
        {{"distance", number(s.preprocessing_s.distance)},
         {"noise", number(s.preprocessing_s.noise)},
         {"cost", number(s.preprocessing_s.cost)}}},
+      {"fields", fields(s.fields)},
       {"expect", expectations(s.expect)},
   };
   // Names come from files: what is not UTF-8 in them is replaced rather than thrown about.

@@ -4,31 +4,25 @@
 
 #include "controller/clock/virtual_clock.hpp"
 #include "controller/flight/flight.hpp"
-#include "controller/flight/placement.hpp"
-#include "controller/flight/swarm_models.hpp"
+#include "controller/flight/prepare.hpp"
 #include "simulate/robots.hpp"
 
 namespace mayfly::simulate {
 
 tl::expected<Summary, std::vector<Error>> fly_simulated(const Scenario& scenario, const Options& options) {
-  auto world = build_world(scenario, options.threads, {});
-  if (!world) {
-    return tl::unexpected(std::move(world.error()));
+  const auto all = prepare(scenario, {.threads = options.threads});
+  if (!all) {
+    return tl::unexpected(all.error());
   }
-  const auto places = place_agents(scenario, *world);
-  if (!places) {
-    return tl::unexpected(places.error());
-  }
-  const SwarmModels models = make_swarm_models(scenario, *world);
-  world->preprocessing.noise = models.noise_s;
+  const Prepared& ready = **all;
   const auto engine = make_native_engine(options.threads);
-  if (auto prepared = engine->prepare(models.swarms, models.agents()); !prepared) {
+  if (auto prepared = engine->prepare(ready.models.swarms, ready.models.agents()); !prepared) {
     return tl::unexpected(std::vector<Error>{std::move(prepared.error())});
   }
   VirtualClock clock;
-  const Robots robots = make_robots(scenario, *places, clock);
+  const Robots robots = make_robots(scenario, ready.places, clock);
   auto flown = fly({.scenario = scenario,
-                    .world = *world,
+                    .world = ready.world,
                     .engine = *engine,
                     .hal = *robots.hal,
                     .truth = robots.truth.get(),

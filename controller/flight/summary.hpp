@@ -40,6 +40,20 @@ struct PreprocessingSummary {
   bool distance_cached = false, cost_cached = false;
 };
 
+struct Spread {
+  double p50 = 0, p99 = 0, max = 0;
+};
+
+// Of fields that are solved again in flight: where goals or obstacles move, or density counts.
+struct FieldsSummary {
+  std::uint64_t updates = 0;  // sets of fields that were swapped in
+  // Control time less the time for which a field's inputs were taken, at every tick; of the oldest field in
+  // use.
+  std::optional<Spread> age_s;
+  std::optional<Spread> solve_s;  // wall time of solving all that is solved again, once an update
+  std::uint64_t unreachable = 0;  // times a goal could not be reached any more
+};
+
 struct Summary {
   std::string scenario;
   std::string engine;
@@ -63,6 +77,7 @@ struct Summary {
   std::optional<double> max_acceleration_mps2;
   ControlSummary control;
   PreprocessingSummary preprocessing_s;
+  std::optional<FieldsSummary> fields;  // empty where nothing is solved in flight
   std::vector<ExpectationResult> expect;
   bool stopped_by_user = false;
 };

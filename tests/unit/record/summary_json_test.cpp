@@ -34,12 +34,14 @@ TEST(SummaryJson, KeysAreTheContract) {
                           "realtime_factor", "ns_per_agent_tick", "reached_fraction", "min_separation_m",
                           "collisions", "penetrations", "mde_percent", "infeasible_agents",
                           "governor_interventions", "faults", "max_speed_mps", "max_acceleration_mps2",
-                          "control", "preprocessing_s", "expect"));
+                          "control", "preprocessing_s", "fields", "expect"));
   EXPECT_THAT(keys_of(json["control"]),
               ElementsAre("rate_hz", "ticks", "missed", "missed_by_machine", "jitter_us", "run_us"));
   EXPECT_THAT(keys_of(json["control"]["jitter_us"]), ElementsAre("p50", "p99", "p999", "max"));
   EXPECT_THAT(keys_of(json["control"]["run_us"]), ElementsAre("p50", "p99", "p999", "max"));
   EXPECT_THAT(keys_of(json["preprocessing_s"]), ElementsAre("distance", "noise", "cost"));
+  EXPECT_THAT(keys_of(json["fields"]), ElementsAre("updates", "age_s", "solve_s", "unreachable"));
+  EXPECT_THAT(keys_of(json["fields"]["age_s"]), ElementsAre("p50", "p99", "max"));
   EXPECT_THAT(keys_of(json["faults"][0]), ElementsAre("time_s", "robot", "link", "cause"));
   EXPECT_THAT(keys_of(json["expect"][0]), ElementsAre("name", "value", "wanted", "pass"));
 }
@@ -51,6 +53,8 @@ TEST(SummaryJson, WhatWasNotMeasuredIsNull) {
         "mde_percent", "infeasible_agents", "max_speed_mps", "max_acceleration_mps2"}) {
     EXPECT_TRUE(json[key].is_null()) << key;
   }
+  EXPECT_TRUE(json["fields"]["updates"].is_null());
+  EXPECT_TRUE(json["fields"]["age_s"]["max"].is_null());
   EXPECT_TRUE(json["faults"].is_array());
   EXPECT_TRUE(json["expect"].empty());
 }
@@ -75,10 +79,15 @@ TEST(SummaryJson, ValuesArrive) {
   summary.seed = 18446744073709551615U;
   summary.penetrations = 0;
   summary.reached_fraction = 0.1;
+  summary.fields = FieldsSummary{0, Spread{0.2, 0.3, 0.4}, std::nullopt, 2};
   const auto json = Json::parse(to_json(summary));
   EXPECT_EQ(json["seed"].get<std::uint64_t>(), 18446744073709551615U);
   EXPECT_EQ(json["penetrations"], 0);
   EXPECT_EQ(json["reached_fraction"].get<double>(), 0.1);
+  EXPECT_EQ(json["fields"]["updates"], 0);
+  EXPECT_EQ(json["fields"]["age_s"]["p99"], 0.3);
+  EXPECT_TRUE(json["fields"]["solve_s"]["p50"].is_null());
+  EXPECT_EQ(json["fields"]["unreachable"], 2);
 }
 
 }  // namespace
