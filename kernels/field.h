@@ -4,6 +4,8 @@
 #define MAYFLY_KERNELS_FIELD_H
 
 #include "kernels/boundary.h"
+#include "kernels/pull.h"
+#include "kernels/random_noise.h"
 
 MF_BEGIN
 
@@ -22,6 +24,8 @@ typedef struct {
   float low_x, low_y, low_z;     // m: the world's bounds, less the radius
   float high_x, high_y, high_z;  // m
   float approach_rate;           // 1/s: an agent nears a wall no faster than this times its clearance
+  int pulls;
+  MfPull pull[MF_MAX_PULLS];
 } MfField;
 
 // V_g = −∇C/|∇C| · s0 (Wang14 Eq. 8). The guide holds a unit direction and C/A (m; inside the goal minus the
@@ -70,26 +74,42 @@ MF_FN F3 mf_field_guard(F3 r, F3 v, const MfField* field, const MF_GLOBAL float*
   return mf3_select(near_wall, mf_guard_wall(inside, &surface, field), inside);
 }
 
-// The preferred velocity of eight agents at r (m). walls: spline coefficients of φ (m), guide: 4 floats a
-// cell, both on field->grid; table: Perlin's permutation. The coefficients themselves, interpolated, tell
-// well enough whether a wall is anywhere near.
-MF_FN F3 mf_field_velocity(F3 r, F3 rest, const MfField* field, const MF_GLOBAL float* walls,
-                           const MF_GLOBAL float* guide, const MF_GLOBAL int* table) {
+// Guided velocity and pulls: all that a wall only guards, and does not bend.
+MF_FN F3 mf_steady_velocity(F3 r, F3 rest, I id, const MfCube* cube, const MfField* field,
+                            const MfMoment* moment, const MF_GLOBAL float* guide) {
+  F3 v = mf_global_velocity(r, rest, cube, guide, field);
+  for (int k = 0; k < field->pulls; ++k) {
+    v = mf3_add(v, mf_pull(r, id, &field->pull[k], moment, MF_STREAM_PULL + (uint)k));
+  }
+  return v;
+}
+
+// The preferred velocity of eight agents at r (m), whose numbers in the whole flight are `id`. walls: spline
+// coefficients of φ (m), guide: 4 floats a cell, both on field->grid; table: Perlin's permutation. The
+// coefficients themselves, interpolated, tell well enough whether a wall is anywhere near.
+MF_FN F3 mf_field_velocity(F3 r, F3 rest, I id, const MfField* field, const MfMoment* moment,
+                           const MF_GLOBAL float* walls, const MF_GLOBAL float* guide,
+                           const MF_GLOBAL int* table) {
   const MfCube cube = mf_cube(r, &field->grid);
-  const F3 guided = mf_global_velocity(r, rest, &cube, guide, field);
+  F3 steady = mf_steady_velocity(r, rest, id, &cube, field, moment, guide);
   F3 noise = mf3_splat(0.0f, 0.0f, 0.0f);
-  if (field->has_noise) noise = mf_curl_noise(r, &field->noise, table);
-  F3 v = mf_guard_bounds(mf3_add(noise, guided), r, field);
+  const int curls = field->has_noise && field->noise.kind == MF_NOISE_CURL;
+  if (curls) {
+    noise = mf_curl_noise_at(r, &field->noise, moment, table);
+  } else if (field->has_noise) {
+    steady = mf3_add(steady, mf_other_noise(r, id, &field->noise, moment, table));
+  }
+  F3 v = mf_guard_bounds(mf3_add(noise, steady), r, field);
   if (!field->has_walls) return v;
   const I near_wall = mf_sample(walls, &cube, 1, 0) < mf_splat(field->wall_reach);
   if (!mf_any(near_wall)) return v;
   const MfSurface surface = mf_surface(r, walls, &field->grid);
-  if (field->has_noise) {
-    const MfJet potential = mf_potential(r, &field->noise, table);
+  if (curls) {
+    const MfJet potential = mf_potential_at(r, &field->noise, moment, table);
     noise = mf_bounded_curl(&potential, &surface, field->boundary);
   }
   return mf3_select(near_wall,
-                    mf_guard_wall(mf_guard_bounds(mf3_add(noise, guided), r, field), &surface, field), v);
+                    mf_guard_wall(mf_guard_bounds(mf3_add(noise, steady), r, field), &surface, field), v);
 }
 
 MF_END

@@ -8,14 +8,31 @@ MF_BEGIN
 
 #define MF_MAX_OCTAVES 4
 
-// The vector potential P(x) = Σ gain · (p1, p2, p3)(x/scale).
+#define MF_NOISE_CURL 0
+#define MF_NOISE_PERLIN 1
+#define MF_NOISE_WHITE 2
+#define MF_NOISE_GAUSSIAN 3
+
+// The vector potential P(x) = Σ gain · (p1, p2, p3)(x/scale), and what is made of it.
 typedef struct {
+  int kind;
   int octaves;
   int permuted;  // 1: lattice gradients by the published permutation table, 0: by an integer hash
   uint seed;
   float inverse_scale[MF_MAX_OCTAVES];  // 1/m
   float gain[MF_MAX_OCTAVES];           // m²/s, so that its curl is a velocity
+  float rms_speed;                      // m/s, of MF_NOISE_WHITE and MF_NOISE_GAUSSIAN
+  float drift;                          // m/s: each potential drifts along an axis of its own
 } MfNoise;
+
+// What changes from tick to tick: the key of its random draws, and how far the potentials have drifted, in
+// whole lattice cells (modulo 2³²) and the rest in [0, 1), for each octave. The host makes it in double
+// (controller/engine/moment.hpp), so that noise is as fine after a day as at the start.
+typedef struct {
+  uint key_a, key_b;
+  int drift_cells[MF_MAX_OCTAVES];
+  float drift_rest[MF_MAX_OCTAVES];
+} MfMoment;
 
 // A vector field at a point: its value and its Jacobian, row c the gradient of component c.
 typedef struct {
@@ -26,6 +43,11 @@ typedef struct {
 MF_FN F3 mf_curl(MfJet j) {
   return mf3(j.dy.z - j.dz.y, j.dz.x - j.dx.z, j.dx.y - j.dy.x);
 }
+
+// Odd multipliers of a lattice point's coordinates.
+#define MF_HASH_X 0x8da6b343u
+#define MF_HASH_Y 0xd8163841u
+#define MF_HASH_Z 0xcb1ab31fu
 
 // A well-mixed word for each lattice point; the three noises take four bits each from its top, so that one
 // hash serves all. Mixing constants: C. Wellons, "lowbias32".
@@ -89,9 +111,9 @@ MF_FN MfJet mf_noise3(F3 q, uint seed, int permuted, const MF_GLOBAL int* table)
   j.dx = j.value;
   j.dy = j.value;
   j.dz = j.value;
-  const U hx = mf_to_unsigned(ix) * 0x8da6b343u + seed;
-  const U hy = mf_to_unsigned(iy) * 0xd8163841u;
-  const U hz = mf_to_unsigned(iz) * 0xcb1ab31fu;
+  const U hx = mf_to_unsigned(ix) * MF_HASH_X + seed;
+  const U hy = mf_to_unsigned(iy) * MF_HASH_Y;
+  const U hz = mf_to_unsigned(iz) * MF_HASH_Z;
 #ifndef __OPENCL_VERSION__
 #pragma GCC unroll 8
 #endif
@@ -122,7 +144,7 @@ MF_FN MfJet mf_noise3(F3 q, uint seed, int permuted, const MF_GLOBAL int* table)
       s3 = mf_to_unsigned(mf_igather(table, mf_igather(table, mf_igather(table, x3) + y) + z)) & 15u;
     } else {
       const U h =
-          mf_mix((cx ? hx + 0x8da6b343u : hx) + (cy ? hy + 0xd8163841u : hy) + (cz ? hz + 0xcb1ab31fu : hz));
+          mf_mix((cx ? hx + MF_HASH_X : hx) + (cy ? hy + MF_HASH_Y : hy) + (cz ? hz + MF_HASH_Z : hz));
       s1 = h >> 28;
       s2 = (h >> 24) & 15u;
       s3 = (h >> 20) & 15u;
@@ -134,16 +156,50 @@ MF_FN MfJet mf_noise3(F3 q, uint seed, int permuted, const MF_GLOBAL int* table)
   return j;
 }
 
-// The potential P and its Jacobian at x (m).
-MF_FN MfJet mf_potential(F3 x, const MfNoise* noise, const MF_GLOBAL int* table) {
+// The seed with which the noise reads at lattice point p what it else reads at p + cells · e_axis: drifting
+// by whole cells costs nothing.
+MF_FN uint mf_drifted_seed(uint seed, int permuted, int axis, int cells) {
+  if (permuted) {
+    const int shift = 8 * axis;
+    const uint part = (seed >> shift) + (uint)cells;
+    return (seed & ~(255u << shift)) | ((part & 255u) << shift);
+  }
+  return seed + (uint)cells * (axis == 0 ? MF_HASH_X : axis == 1 ? MF_HASH_Y : MF_HASH_Z);
+}
+
+// mf_noise3 with its first noise drifted along x, the second along y, the third along z: their curl changes
+// its shape, and stays a curl.
+MF_FN MfJet mf_drifting_noise3(F3 q, uint seed, int permuted, int cells, float rest,
+                               const MF_GLOBAL int* table) {
+  const MfJet a =
+      mf_noise3(mf3(q.x + rest, q.y, q.z), mf_drifted_seed(seed, permuted, 0, cells), permuted, table);
+  const MfJet b =
+      mf_noise3(mf3(q.x, q.y + rest, q.z), mf_drifted_seed(seed, permuted, 1, cells), permuted, table);
+  const MfJet c =
+      mf_noise3(mf3(q.x, q.y, q.z + rest), mf_drifted_seed(seed, permuted, 2, cells), permuted, table);
+  MfJet j;
+  j.value = mf3(a.value.x, b.value.y, c.value.z);
+  j.dx = mf3(a.dx.x, b.dx.y, c.dx.z);
+  j.dy = mf3(a.dy.x, b.dy.y, c.dy.z);
+  j.dz = mf3(a.dz.x, b.dz.y, c.dz.z);
+  return j;
+}
+
+// The potential P and its Jacobian at x (m); `drifting` is a literal at each call, and `moment` only read
+// where it is set.
+MF_FN MfJet mf_potential_sum(F3 x, const MfNoise* noise, const MfMoment* moment, int drifting,
+                             const MF_GLOBAL int* table) {
   MfJet sum;
   sum.value = mf3_splat(0.0f, 0.0f, 0.0f);
   sum.dx = sum.value;
   sum.dy = sum.value;
   sum.dz = sum.value;
   for (int o = 0; o < noise->octaves; ++o) {
-    const MfJet j = mf_noise3(mf3_scale(x, mf_splat(noise->inverse_scale[o])),
-                              noise->seed + (uint)o * 0x9e3779b9u, noise->permuted, table);
+    const F3 q = mf3_scale(x, mf_splat(noise->inverse_scale[o]));
+    const uint seed = noise->seed + (uint)o * 0x9e3779b9u;
+    const MfJet j = drifting ? mf_drifting_noise3(q, seed, noise->permuted, moment->drift_cells[o],
+                                                  moment->drift_rest[o], table)
+                             : mf_noise3(q, seed, noise->permuted, table);
     const F gain = mf_splat(noise->gain[o]);
     const F slope = mf_splat(noise->gain[o] * noise->inverse_scale[o]);
     sum.value = mf3_add(sum.value, mf3_scale(j.value, gain));
@@ -154,10 +210,23 @@ MF_FN MfJet mf_potential(F3 x, const MfNoise* noise, const MF_GLOBAL int* table)
   return sum;
 }
 
+// Of noise that stands still, whatever noise->drift.
+MF_FN MfJet mf_potential(F3 x, const MfNoise* noise, const MF_GLOBAL int* table) {
+  return mf_potential_sum(x, noise, (const MfMoment*)0, 0, table);
+}
+// At one tick.
+MF_FN MfJet mf_potential_at(F3 x, const MfNoise* noise, const MfMoment* moment, const MF_GLOBAL int* table) {
+  return noise->drift != 0.0f ? mf_potential_sum(x, noise, moment, 1, table) : mf_potential(x, noise, table);
+}
+
 // V = ∇ × P(x), m/s (Wang14 Eq. 1). What only the value and the diagonal derivatives need is dead code here,
 // and removed.
 MF_FN F3 mf_curl_noise(F3 x, const MfNoise* noise, const MF_GLOBAL int* table) {
   return mf_curl(mf_potential(x, noise, table));
+}
+MF_FN F3 mf_curl_noise_at(F3 x, const MfNoise* noise, const MfMoment* moment, const MF_GLOBAL int* table) {
+  return noise->drift != 0.0f ? mf_curl(mf_potential_sum(x, noise, moment, 1, table))
+                              : mf_curl_noise(x, noise, table);
 }
 
 MF_END

@@ -27,6 +27,14 @@ MF_FN F mf_bell(F r) {
   return 1.0f + t2 * (-22.0f / 9.0f + t2 * (17.0f / 9.0f + t2 * (-4.0f / 9.0f)));
 }
 
+// −dh/dr of the bell, 0 where r < 0 or r > 1; the largest value, at r = 0.5035, is MF_BELL_STEEPEST.
+#define MF_BELL_STEEPEST 1.5834297f
+MF_FN F mf_bell_slope(F r) {
+  const F t = mf_clamp(r, 0.0f, 1.0f);
+  const F t2 = t * t;
+  return t * (44.0f / 9.0f + t2 * (-68.0f / 9.0f + t2 * (24.0f / 9.0f)));
+}
+
 MF_END
 
 #endif

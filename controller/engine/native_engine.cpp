@@ -4,6 +4,7 @@
 
 #include "controller/engine/engine.hpp"
 #include "controller/engine/minimum_distance.hpp"
+#include "controller/engine/moment.hpp"
 #include "controller/engine/permutation.hpp"
 #include "controller/engine/thread_team.hpp"
 
@@ -42,9 +43,10 @@ class NativeEngine final : public Engine, private DisplacementSweep {
   std::size_t compute(const PositionColumns& at, float period_s,
                       const VelocityColumns& out) noexcept override {
     for (const SwarmModel& swarm : swarms_) {
+      const kernels::MfMoment moment = moment_of(swarm.field.noise, 0, 0.0);
       team_.for_ranges(swarm.count, kGrain, [&](std::size_t first, std::size_t last) {
         for (std::size_t local = first; local < last; local += MF_LANES) {
-          eight_agents(swarm, at, out, local);
+          eight_agents(swarm, moment, at, out, local);
         }
       });
     }
@@ -52,14 +54,16 @@ class NativeEngine final : public Engine, private DisplacementSweep {
   }
 
  private:
-  static void eight_agents(const SwarmModel& swarm, const PositionColumns& at, const VelocityColumns& out,
+  static void eight_agents(const SwarmModel& swarm, const kernels::MfMoment& moment,
+                           const PositionColumns& at, const VelocityColumns& out,
                            std::size_t local) noexcept {
     const std::size_t a = swarm.first + local;
     const std::size_t lanes = std::min<std::size_t>(MF_LANES, swarm.count - local);
     const F3 r = load3(at.x, at.y, at.z, a, lanes);
-    const F3 v =
-        kernels::mf_field_velocity(r, load3(swarm.rest.x, swarm.rest.y, swarm.rest.z, local, lanes),
-                                   &swarm.field, swarm.walls.data(), swarm.guide.data(), kPermutation.data());
+    const kernels::I id = kernels::mf_lane_index() + static_cast<int>(a);
+    const F3 v = kernels::mf_field_velocity(r, load3(swarm.rest.x, swarm.rest.y, swarm.rest.z, local, lanes),
+                                            id, &swarm.field, &moment, swarm.walls.data(), swarm.guide.data(),
+                                            kPermutation.data());
     const int stored = static_cast<int>(lanes);
     kernels::mf_store_first(&out.x[a], v.x, stored);
     kernels::mf_store_first(&out.y[a], v.y, stored);

@@ -8,6 +8,7 @@
 #include "compute/program.hpp"
 #include "controller/engine/engine.hpp"
 #include "controller/engine/minimum_distance.hpp"
+#include "controller/engine/moment.hpp"
 #include "controller/engine/permutation.hpp"
 
 namespace mayfly {
@@ -190,10 +191,10 @@ class OpenclEngine final : public Engine, private DisplacementSweep {
     for (std::size_t s = 0; s < swarms_.size(); ++s) {
       const SwarmModel& swarm = swarms_[s];
       const SwarmTables& tables = f.tables[s];
-      const Status set = velocity_.set(f.at.x, f.at.y, f.at.z, tables.rest.x, tables.rest.y, tables.rest.z,
-                                       f.velocity.x, f.velocity.y, f.velocity.z,
-                                       static_cast<int>(swarm.first), static_cast<int>(swarm.count),
-                                       swarm.field, tables.walls, tables.guide, f.permutation);
+      const Status set = velocity_.set(
+          f.at.x, f.at.y, f.at.z, tables.rest.x, tables.rest.y, tables.rest.z, f.velocity.x, f.velocity.y,
+          f.velocity.z, static_cast<int>(swarm.first), static_cast<int>(swarm.count), swarm.field,
+          moment_of(swarm.field.noise, 0, 0.0), tables.walls, tables.guide, f.permutation);
       if (!set.ok()) {
         return set;
       }
