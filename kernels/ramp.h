@@ -32,7 +32,7 @@ MF_FN F mf_bell(F r) {
 MF_FN F mf_bell_slope(F r) {
   const F t = mf_clamp(r, 0.0f, 1.0f);
   const F t2 = t * t;
-  return t * (44.0f / 9.0f + t2 * (-68.0f / 9.0f + t2 * (24.0f / 9.0f)));
+  return (4.0f / 9.0f) * t * (1.0f - t2) * (11.0f - 6.0f * t2);
 }
 
 MF_END
