@@ -23,6 +23,7 @@ typedef struct {
   float radius;                  // m, of the body
   float low_x, low_y, low_z;     // m: the world's bounds, less the radius
   float high_x, high_y, high_z;  // m
+  float goal_x, goal_y, goal_z;  // m: how far the goal has moved from where the rest places were laid
   float approach_rate;           // 1/s: an agent nears a wall no faster than this times its clearance
   int pulls;
   MfPull pull[MF_MAX_PULLS];
@@ -91,7 +92,8 @@ MF_FN F3 mf_field_velocity(F3 r, F3 rest, I id, const MfField* field, const MfMo
                            const MF_GLOBAL float* walls, const MF_GLOBAL float* guide,
                            const MF_GLOBAL int* table) {
   const MfCube cube = mf_cube(r, &field->grid);
-  F3 steady = mf_steady_velocity(r, rest, id, &cube, field, moment, guide);
+  const F3 place = mf3_add(rest, mf3_splat(field->goal_x, field->goal_y, field->goal_z));
+  F3 steady = mf_steady_velocity(r, place, id, &cube, field, moment, guide);
   F3 noise = mf3_splat(0.0f, 0.0f, 0.0f);
   const int curls = field->has_noise && field->noise.kind == MF_NOISE_CURL;
   if (curls) {

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <glm/vec3.hpp>
 #include <memory>
 #include <span>
 #include <string_view>
@@ -34,19 +35,37 @@ struct VelocityColumns {
   std::span<float> x, y, z;  // m/s
 };
 
+// A control tick: noise that varies reads its time, random choices its number.
+struct TickTime {
+  std::uint64_t number = 0;
+  double time_s = 0.0;     // since the flight began
+  float period_s = 0.01F;  // until the next tick
+};
+
+// What may be replaced in flight, of one swarm. A table that is empty stays as it is.
+struct SwarmFields {
+  std::span<const float> walls, guide;  // as in SwarmModel, of the same sizes
+  glm::vec3 goal_offset{0.0F};          // m: how far the goal is from where the rest places were laid
+};
+
 class Engine {
  public:
   virtual ~Engine() = default;
   virtual std::string_view name() const noexcept = 0;
   // Takes in the swarms and allocates; `agents` in all. The spans must outlive the engine.
   virtual Result<void> prepare(std::span<const SwarmModel> swarms, std::size_t agents) = 0;
-  // Preferred velocity of every agent, minimum distance enforced on where they will be after `period_s`.
-  // Returns how many agents MDE moved.
-  virtual std::size_t compute(const PositionColumns& at, float period_s,
+  // Preferred velocity of every agent, minimum distance enforced on where they will be after the tick's
+  // period. Returns how many agents MDE moved.
+  virtual std::size_t compute(const PositionColumns& at, const TickTime& tick,
                               const VelocityColumns& out) noexcept = 0;
+  // The swarm flies by `fields` from the next compute() on. Not during one. The spans must outlive their use.
+  virtual void replace_fields(std::size_t swarm, const SwarmFields& fields) noexcept = 0;
   // What went wrong in the last compute(), which then gave zero velocities; empty if nothing did.
   virtual std::string_view fault() const noexcept { return {}; }
 };
+
+// What both engines do with a swarm's new fields.
+void replace(SwarmModel& swarm, const SwarmFields& fields) noexcept;
 
 std::unique_ptr<Engine> make_native_engine(int threads);
 // Fails where there is no OpenCL device or the kernels do not build.

@@ -40,17 +40,21 @@ class NativeEngine final : public Engine, private DisplacementSweep {
     return {};
   }
 
-  std::size_t compute(const PositionColumns& at, float period_s,
+  void replace_fields(std::size_t swarm, const SwarmFields& fields) noexcept override {
+    replace(swarms_[swarm], fields);
+  }
+
+  std::size_t compute(const PositionColumns& at, const TickTime& tick,
                       const VelocityColumns& out) noexcept override {
     for (const SwarmModel& swarm : swarms_) {
-      const kernels::MfMoment moment = moment_of(swarm.field.noise, 0, 0.0);
+      const kernels::MfMoment moment = moment_of(swarm.field.noise, tick.number, tick.time_s);
       team_.for_ranges(swarm.count, kGrain, [&](std::size_t first, std::size_t last) {
         for (std::size_t local = first; local < last; local += MF_LANES) {
           eight_agents(swarm, moment, at, out, local);
         }
       });
     }
-    return minimum_distance_.enforce(at, period_s, out, *this);
+    return minimum_distance_.enforce(at, tick.period_s, out, *this);
   }
 
  private:

@@ -160,17 +160,34 @@ class OpenclEngine final : public Engine, private DisplacementSweep {
       return fail(std::move(flying.error()));
     }
     flying_.emplace(std::move(*flying));
+    upload_fault_ = {};
     minimum_distance_.prepare(swarms_, agents);
     return {};
   }
 
-  std::size_t compute(const PositionColumns& at, float period_s,
-                      const VelocityColumns& out) noexcept override {
-    fault_ = {};
-    if (const Status status = velocities(at, out); !status.ok()) {
-      fault_ = compute::name_of(status);
+  void replace_fields(std::size_t swarm, const SwarmFields& fields) noexcept override {
+    upload_fault_ = {};
+    replace(swarms_[swarm], fields);
+    SwarmTables& tables = flying_->tables[swarm];
+    for (const Status status :
+         {replace_table(tables.walls, fields.walls), replace_table(tables.guide, fields.guide)}) {
+      if (!status.ok()) {
+        upload_fault_ = compute::name_of(status);
+      }
     }
-    const std::size_t moved = fault_.empty() ? minimum_distance_.enforce(at, period_s, out, *this) : 0;
+  }
+
+  std::size_t compute(const PositionColumns& at, const TickTime& tick,
+                      const VelocityColumns& out) noexcept override {
+    // Fields that did not arrive on the device are a fault for as long as they are not replaced: nobody flies
+    // by half a table.
+    fault_ = upload_fault_;
+    if (fault_.empty()) {
+      if (const Status status = velocities(at, tick, out); !status.ok()) {
+        fault_ = compute::name_of(status);
+      }
+    }
+    const std::size_t moved = fault_.empty() ? minimum_distance_.enforce(at, tick.period_s, out, *this) : 0;
     if (!fault_.empty()) {
       for (const std::span<float> column : {out.x, out.y, out.z}) {
         std::fill(column.begin(), column.end(), 0.0F);
@@ -180,7 +197,7 @@ class OpenclEngine final : public Engine, private DisplacementSweep {
   }
 
  private:
-  Status velocities(const PositionColumns& at, const VelocityColumns& out) noexcept {
+  Status velocities(const PositionColumns& at, const TickTime& tick, const VelocityColumns& out) noexcept {
     Flying& f = *flying_;
     if (const Status status = f.at.upload(at.x, at.y, at.z); !status.ok()) {
       return status;
@@ -194,7 +211,7 @@ class OpenclEngine final : public Engine, private DisplacementSweep {
       const Status set = velocity_.set(
           f.at.x, f.at.y, f.at.z, tables.rest.x, tables.rest.y, tables.rest.z, f.velocity.x, f.velocity.y,
           f.velocity.z, static_cast<int>(swarm.first), static_cast<int>(swarm.count), swarm.field,
-          moment_of(swarm.field.noise, 0, 0.0), tables.walls, tables.guide, f.permutation);
+          moment_of(swarm.field.noise, tick.number, tick.time_s), tables.walls, tables.guide, f.permutation);
       if (!set.ok()) {
         return set;
       }
@@ -223,6 +240,10 @@ class OpenclEngine final : public Engine, private DisplacementSweep {
     }
     std::copy_n(from.begin(), std::min(from.size(), buffer.size()), buffer.data().begin());
     return buffer.unmap();
+  }
+
+  static Status replace_table(Buffer<float>& table, std::span<const float> from) noexcept {
+    return from.empty() ? Status{} : upload(table, from);
   }
 
   Status sweep(const CellOrder& order, std::span<float> dx, std::span<float> dy,
@@ -254,6 +275,7 @@ class OpenclEngine final : public Engine, private DisplacementSweep {
   std::optional<Flying> flying_;
   MinimumDistance minimum_distance_;
   std::string_view fault_{};
+  std::string_view upload_fault_{};
 };
 
 Result<Kernel> build_kernel(const Device& device, std::string_view program, const std::string& kernel) {

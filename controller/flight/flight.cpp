@@ -113,9 +113,9 @@ class Flight {
   }
 
   void decide(Time now) noexcept {
-    const auto period_s = static_cast<float>(to_seconds(period_));
     look_ahead();
-    moved_ += parts_.engine.compute({ahead_.x, ahead_.y, ahead_.z}, period_s, desired_.writable());
+    const TickTime tick{ticks_, to_seconds(now - began_), static_cast<float>(to_seconds(period_))};
+    moved_ += parts_.engine.compute({ahead_.x, ahead_.y, ahead_.z}, tick, desired_.writable());
     const std::string_view fault = parts_.engine.fault();
     note(engine_source_, now,
          {fault.empty() ? HalFault::kNone : HalFault::kLinkDown, kEveryRobot, parts_.engine.name(), fault});

@@ -16,13 +16,14 @@ using test::scattered;
 using test::SmallWorld;
 
 constexpr float kPeriod = 0.01F;
+constexpr TickTime kTick{0, 0.0, kPeriod};
 
 Columns fly_one_tick(Engine& engine, const SmallWorld& world, const Columns& at,
                      std::size_t* moved = nullptr) {
   const std::size_t agents = at.x.size();
   EXPECT_TRUE(engine.prepare(world.swarms, agents));
   Columns out(agents);
-  const std::size_t count = engine.compute(at.positions(), kPeriod, out.velocities());
+  const std::size_t count = engine.compute(at.positions(), kTick, out.velocities());
   EXPECT_EQ(engine.fault(), "");
   if (moved != nullptr) {
     *moved = count;
@@ -62,6 +63,39 @@ TEST_P(EnginesOfSize, NativeAndOpenclGiveTheSameBits) {
   EXPECT_EQ(moved_native, moved_opencl);
 }
 INSTANTIATE_TEST_SUITE_P(Sizes, EnginesOfSize, testing::Values(1, 2, 7, 8, 9, 300, 5000));
+
+// Turned about, the world must be flown as if it had been prepared that way, tables and rest places alike.
+TEST(Engines, FlyByFieldsThatWereReplaced) {
+  constexpr std::size_t kAgents = 300;
+  const SmallWorld world(kAgents, 0.3F);
+  SmallWorld other(kAgents, 0.3F);
+  for (std::size_t cell = 0; cell < other.walls.size(); ++cell) {
+    other.walls[cell] += 0.5F;
+    std::swap(other.guide[4 * cell], other.guide[4 * cell + 2]);
+    other.guide[4 * cell + 3] -= 11.0F;  // half of the agents are in the goal, where rest places count
+  }
+  const glm::vec3 offset(-3.0F, 1.0F, 2.5F);
+  const Columns at = scattered(kAgents, 10);
+  auto opencl = make_opencl_engine();
+  ASSERT_TRUE(opencl) << to_string(opencl.error());
+  const auto native = make_native_engine(1);
+  for (Engine* engine : {native.get(), opencl->get()}) {
+    const Columns before = fly_one_tick(*engine, world, at);
+    for (std::size_t swarm = 0; swarm < 2; ++swarm) {
+      engine->replace_fields(swarm, {other.walls, other.guide, offset});
+    }
+    Columns out(kAgents);
+    engine->compute(at.positions(), kTick, out.velocities());
+    EXPECT_EQ(engine->fault(), "");
+    EXPECT_NE(out, before);
+    for (std::size_t a = 0; a < kAgents; ++a) {
+      other.rest_x[a] = world.rest_x[a] + offset.x;
+      other.rest_y[a] = world.rest_y[a] + offset.y;
+      other.rest_z[a] = world.rest_z[a] + offset.z;
+    }
+    EXPECT_EQ(out, fly_one_tick(*engine, other, at)) << engine->name();
+  }
+}
 
 TEST(NativeEngine, GivesTheSameBitsOnAnyNumberOfThreads) {
   const SmallWorld world(6000, 0.2F);

@@ -22,7 +22,7 @@ class ScriptedEngine final : public Engine {
  public:
   std::string_view name() const noexcept override { return "scripted"; }
   Result<void> prepare(std::span<const SwarmModel>, std::size_t) override { return {}; }
-  std::size_t compute(const PositionColumns&, float, const VelocityColumns& out) noexcept override {
+  std::size_t compute(const PositionColumns&, const TickTime&, const VelocityColumns& out) noexcept override {
     const bool fails = tick_ >= fails_from && tick_ < fails_before;
     ++tick_;
     fault_ = fails ? "the device was lost" : "";
@@ -32,6 +32,7 @@ class ScriptedEngine final : public Engine {
     std::fill(out.z.begin(), out.z.end(), v.z);
     return moved;
   }
+  void replace_fields(std::size_t, const SwarmFields&) noexcept override {}
   std::string_view fault() const noexcept override { return fault_; }
 
   glm::vec3 wanted{0.0F, 1.0F, 0.0F};

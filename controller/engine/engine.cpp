@@ -1,0 +1,17 @@
+#include "controller/engine/engine.hpp"
+
+namespace mayfly {
+
+void replace(SwarmModel& swarm, const SwarmFields& fields) noexcept {
+  if (!fields.walls.empty()) {
+    swarm.walls = fields.walls;
+  }
+  if (!fields.guide.empty()) {
+    swarm.guide = fields.guide;
+  }
+  swarm.field.goal_x = fields.goal_offset.x;
+  swarm.field.goal_y = fields.goal_offset.y;
+  swarm.field.goal_z = fields.goal_offset.z;
+}
+
+}  // namespace mayfly
