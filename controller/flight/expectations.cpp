@@ -36,6 +36,13 @@ std::optional<double> measured(const Expectation& expectation, const Summary& su
       return static_cast<double>(summary.control.missed);
     case Quantity::kFaults:
       return static_cast<double>(summary.faults.size());
+    case Quantity::kFieldAge:
+    case Quantity::kWallClearance:
+    case Quantity::kCentreDrift:
+    case Quantity::kGoalDistance:
+    case Quantity::kTurns:
+    case Quantity::kSpread:
+      return std::nullopt;  // no key asks for them yet
   }
   return std::nullopt;
 }

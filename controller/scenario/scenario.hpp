@@ -17,31 +17,83 @@
 
 namespace mayfly {
 
+// How a shape moves: in straight lines from point to point at one speed. The shape is given where it is at
+// the start; at a later time it is displaced by where the path has got to, less the path's first point.
+struct PathSpec {
+  std::vector<glm::vec3> points;  // m, at least two, no two neighbours the same
+  float speed = 1.0F;             // m/s
+  // From the last point straight back to the first, for ever; otherwise the shape stays at the last.
+  bool loop = false;
+  Place place;
+
+  // m, at `time_s` after the start (s; the first point before it). Allocates nothing.
+  glm::vec3 displacement(double time_s) const noexcept;
+  // m/s, of the displacement; zero where it has come to its end.
+  glm::vec3 velocity(double time_s) const noexcept;
+};
+
 struct ObstacleSpec {
   fields::Shape shape;
   Place place;  // where it stands in the file, for errors that only show when the fields are built
+  std::optional<PathSpec> path{};  // of every shape but a half-space
 };
 
 struct GoalSpec {
   std::string name;
   fields::Shape shape;  // MeshShape, BoxShape or SphereShape
   Place place;
+  std::optional<PathSpec> path{};
+};
+
+// What a user wants a swarm to be drawn to or kept from, beside the obstacles: full strength at the centre,
+// nothing from `radius` on.
+struct BrushSpec {
+  enum class Effect { kAttract, kRepel };
+  enum class Term {
+    kCost,      // makes ways through it cheaper or dearer
+    kPotential  // adds a velocity toward the centre or away from it
+  };
+  Effect effect = Effect::kAttract;
+  Term term = Term::kCost;
+  glm::vec3 center{0.0F};  // m
+  float radius = 1.0F;     // m
+  float strength = 1.0F;   // cost: 1/m, taken away or added at the centre; potential: m/s at its steepest
+  std::string swarm;       // empty: all
+  Place place;
 };
 
 struct WorldSpec {
   Box bounds;
   float cell = 1.0F;  // m
+  // m, a whole multiple of `cell`. Given: a nested grid, with cells of `cell` near obstacles and goals and of
+  // this side elsewhere.
+  std::optional<float> coarse_cell{};
   std::vector<ObstacleSpec> obstacles;
   std::vector<GoalSpec> goals;
+  std::vector<BrushSpec> brushes;
 };
 
-enum class Model { kField };            // later: forces, shape, pso, boids, orca, brownian
-enum class NoiseKind { kNone, kCurl };  // later: perlin, white, gaussian
+// A light that agents fly to now and then (Wang14 §6, phototaxis).
+struct LampSpec {
+  std::string name;
+  glm::vec3 position{0.0F};  // m
+  float reach = 1.0F;        // m; farther agents do not see it
+  float speed = 1.0F;        // m/s toward it, on top of the field
+  float probability = 0.0F;  // that an agent answers at a tick
+  std::string swarm;         // empty: all
+  Place place;
+};
+
+enum class Model { kField };  // later: forces, shape, pso, boids, orca, brownian
+enum class NoiseKind { kNone, kCurl, kPerlin, kWhite, kGaussian };
 enum class NoiseHash { kInteger, kPerlin2002 };
 
 struct NoiseSpec {
   NoiseKind kind = NoiseKind::kCurl;
   NoiseHash hash = NoiseHash::kInteger;
+  // m/s. The sampling points of the three potentials drift along three different axes, so that the noise
+  // changes its shape and its curl stays free of divergence; 0: the noise stands still.
+  float drift = 0.0F;
   // Octaves: the potentials of one (scale, gain) pair each are added (Wang14 Eq. 1).
   struct Octave {
     float scale = 0.4F;  // m
@@ -54,6 +106,7 @@ struct CostSpec {  // Wang14 Eq. 4: cost = length_weight · length + repulsion_w
   float length_weight = 0.6F;
   float repulsion_weight = 0.4F;
   std::optional<float> influence;  // m; default 2·√2·cell (Wang14 Eq. 6)
+  float density_weight = 0.0F;     // m²: the cost of a metre for each agent in a m³, of all swarms; 0: off
 };
 
 struct LimitsSpec {
@@ -115,15 +168,22 @@ struct Expectation {
     kMaxAcceleration,
     kGovernorInterventions,
     kMissed,
-    kFaults
+    kFaults,
+    kFieldAge,       // s, the oldest field that was flown by
+    kWallClearance,  // m, the least distance of an agent's centre to an obstacle
+    kCentreDrift,    // m, the farthest that a swarm's centre was from where it started
+    kGoalDistance,   // m, mean over agents and the flight's second half
+    kTurns,          // mean |turns| of an agent about a vertical axis
+    kSpread          // m, radius of gyration, mean of the flight's last tenth
   };
   enum class Comparison { kGreaterEqual, kLessEqual, kEqual, kGreater, kLess };
   Quantity quantity = Quantity::kPenetrations;
-  std::string swarm;  // kReached only: empty for all
-  std::string goal;   // kReached only
+  std::string swarm;  // of those that have one; empty for all
+  std::string goal;   // kReached, kGoalDistance; empty: each swarm's own
   Comparison comparison = Comparison::kEqual;
   double wanted = 0.0;
-  std::string text;  // as written, for the summary: "reached flies at exit"
+  std::string text;                   // as written, for the summary: "reached flies at exit"
+  std::optional<glm::vec3> around{};  // m, kTurns only: where the axis stands
 };
 
 struct ControlSpec {
@@ -148,6 +208,9 @@ struct Scenario {
   double duration = 60.0;  // s
   WorldSpec world;
   std::vector<SwarmSpec> swarms;
+  std::vector<LampSpec> lamps;
+  // Hz, how often fields are solved again where goals or obstacles move or density counts.
+  float field_rate = 5.0F;
   ControlSpec control;
   RecordSpec record;
   std::vector<HalSpec> hals;
