@@ -7,110 +7,27 @@
 #include <glm/geometric.hpp>
 #include <limits>
 #include <new>
-#include <numbers>
 #include <span>
 #include <utility>
 
+#include "fields/cost_parts.hpp"
 #include "fields/eikonal.hpp"
-#include "fields/guide.hpp"
 #include "fields/hash.hpp"
-#include "kernels/ramp.h"
 
 namespace mayfly::fields {
 namespace {
 
-float influence_of(const CostParams& params, const Grid& grid) {
-  return params.influence > 0.0F ? params.influence : 2.0F * std::numbers::sqrt2_v<float> * grid.cell;
-}
-
-Result<void> check_params(const CostParams& params) {
-  const auto refuse = [](const char* name, float value, const char* wanted) {
-    return fail(
-        Error{Cause::kCaller, std::string("cost field: bad ") + name, {}, std::to_string(value), wanted});
-  };
-  // Negated comparisons: NaN is refused.
-  if (!(params.length_weight > 0.0F && params.length_weight <= 1e6F)) {
-    return refuse("length weight", params.length_weight, "a number in (0, 1e6]");
-  }
-  if (!(params.repulsion_weight >= 0.0F && params.repulsion_weight <= 1e6F)) {
-    return refuse("repulsion weight", params.repulsion_weight, "a number in [0, 1e6]");
-  }
-  if (!(params.influence >= 0.0F && params.influence <= 1e6F)) {
-    return refuse("influence", params.influence, "metres in [0, 1e6]; 0 means 2√2 cells");
-  }
-  if (!(params.clearance >= 0.0F && params.clearance <= 1e6F)) {
-    return refuse("clearance", params.clearance, "metres in [0, 1e6]");
-  }
-  return {};
-}
-
-// s = A + B·h(φ/influence) (Wang14 Eq. 7 with weights), +inf where blocked.
-void fill_slowness(std::span<const float> distance, const CostParams& params, const Grid& grid,
-                   std::span<float> slowness) {
-  const float clearance = effective_clearance(params, grid);
-  const float scale = 1.0F / influence_of(params, grid);
-  for (std::size_t at = 0; at < distance.size(); at += MF_LANES) {
-    const std::size_t count = std::min<std::size_t>(MF_LANES, distance.size() - at);
-    float phi[MF_LANES] = {};
-    std::copy_n(distance.begin() + static_cast<std::ptrdiff_t>(at), count, phi);
-    const kernels::F lanes = kernels::mf_load(phi);
-    const kernels::F s = params.length_weight + params.repulsion_weight * kernels::mf_bell(lanes * scale);
-    const kernels::F open =
-        kernels::mf_select(lanes < kernels::mf_splat(clearance), kernels::mf_splat(kUnreachedCost), s);
-    kernels::mf_store_first(slowness.data() + at, open, static_cast<int>(count));
-  }
-}
-
-CellKind kind_of(float distance, float clearance, bool reached) {
-  if (distance < clearance) {
-    return CellKind::kBlocked;
-  }
-  return reached ? CellKind::kReached : CellKind::kUnreachable;
-}
-
-glm::ivec3 place_of(const Grid& grid, std::size_t cell) {
-  const auto nx = static_cast<std::size_t>(grid.cells.x);
-  const auto ny = static_cast<std::size_t>(grid.cells.y);
-  return {static_cast<int>(cell % nx), static_cast<int>(cell / nx % ny), static_cast<int>(cell / nx / ny)};
-}
-
-glm::vec3 center_of(const Grid& grid, std::size_t cell) {
-  const glm::ivec3 at = place_of(grid, cell);
-  return grid.center(at.x, at.y, at.z);
-}
-
-void count_kinds(CostField& field) {
-  for (std::size_t cell = 0; cell < field.kind.size(); ++cell) {
-    field.blocked += field.kind[cell] == CellKind::kBlocked ? 1U : 0U;
-    if (field.kind[cell] == CellKind::kUnreachable) {
-      if (field.unreachable == 0) {
-        field.unreachable_example = center_of(field.grid, cell);
-      }
-      ++field.unreachable;
-    }
-  }
-}
-
-// Costs with A = 1: C/A, for A + B·g and (A·φ_goal) scale together.
 Result<CostField> solve(const DistanceField& obstacles, const GoalDistance& goal, const CostParams& params,
-                        int threads, const Progress& progress) {
+                        const CostTerms& terms, int threads, const Progress& progress) {
   const Grid& grid = obstacles.grid;
   std::vector<float> cost(grid.size());
-  const float clearance = effective_clearance(params, grid);
-  const auto small = place_sources(obstacles, goal, clearance, cost);
-  if (!small) {
-    return fail(small.error());
-  }
-  std::vector<std::size_t> pointing;
-  for (std::size_t cell = 0; *small && goal.middle && cell < cost.size(); ++cell) {
-    if (cost[cell] != kUnreachedCost) {
-      pointing.push_back(cell);
-    }
+  std::vector<std::size_t> small;
+  if (auto placed = place_sources(obstacles.distance, goal, effective_clearance(params, grid), cost, small);
+      !placed) {
+    return fail(std::move(placed.error()));
   }
   std::vector<float> slowness(grid.size());
-  const CostParams scaled{1.0F, params.repulsion_weight / params.length_weight, params.influence,
-                          params.clearance};
-  fill_slowness(obstacles.distance, scaled, grid, slowness);
+  fill_slowness(obstacles.distance, terms, params, grid, 0, grid.size(), slowness);
   const auto solved =
       solve_eikonal(grid, slowness, cost, static_cast<unsigned>(std::max(threads, 0)), [&](int sweeps) {
         if (progress) {
@@ -123,15 +40,7 @@ Result<CostField> solve(const DistanceField& obstacles, const GoalDistance& goal
   }
   CostField field;
   field.grid = grid;
-  field.kind.resize(grid.size());
-  for (std::size_t cell = 0; cell < cost.size(); ++cell) {
-    field.kind[cell] = kind_of(obstacles.distance[cell], clearance, cost[cell] != kUnreachedCost);
-  }
-  count_kinds(field);
-  field.guide = make_guide({grid, obstacles.distance, cost, field.kind, clearance}, threads, progress);
-  if (!pointing.empty()) {
-    point_at(*goal.middle, grid, pointing, field.guide);
-  }
+  finish_cost_field(obstacles.distance, cost, params, small, goal.middle, threads, progress, field);
   return field;
 }
 
@@ -150,12 +59,16 @@ float effective_clearance(const CostParams& params, const Grid& grid) {
 }
 
 Result<CostField> build_cost_field(const DistanceField& obstacles, const GoalDistance& goal,
-                                   const CostParams& params, int threads, const Progress& progress) {
+                                   const CostParams& params, int threads, const Progress& progress,
+                                   const CostTerms& terms) {
   if (auto good = check_params(params); !good) {
     return fail(good.error());
   }
+  if (auto good = check_terms(terms, obstacles.grid); !good) {
+    return fail(good.error());
+  }
   try {
-    return solve(obstacles, goal, params, threads, progress);
+    return solve(obstacles, goal, params, terms, threads, progress);
   } catch (const std::bad_alloc&) {
     return fail(Cause::kEnvironment,
                 "not enough memory for a cost field of " + with_thousands(obstacles.grid.size()) + " cells");
@@ -167,17 +80,14 @@ CostField restore_cost_field(const DistanceField& obstacles, const CostParams& p
   CostField field;
   field.grid = obstacles.grid;
   field.guide = std::move(guide);
-  field.kind.resize(obstacles.grid.size());
-  const float clearance = effective_clearance(params, obstacles.grid);
-  for (std::size_t cell = 0; cell < field.kind.size(); ++cell) {
-    field.kind[cell] =
-        kind_of(obstacles.distance[cell], clearance, field.guide[4 * cell + 3] < kUnreachableGuide);
-  }
-  count_kinds(field);
+  // The cost is the last of the guide's four numbers.
+  set_kinds(obstacles.distance, std::span(field.guide).subspan(3), 4, kUnreachableGuide,
+            effective_clearance(params, obstacles.grid), field);
   return field;
 }
 
-std::string cost_key(const DistanceField& obstacles, const GoalDistance& goal, const CostParams& params) {
+std::string cost_key(const DistanceField& obstacles, const GoalDistance& goal, const CostParams& params,
+                     const CostTerms& terms) {
   const Grid& grid = obstacles.grid;
   ContentHash hash;
   hash.add(std::string_view("cost field 1"));  // raise it when the same input gives another guide
@@ -190,6 +100,9 @@ std::string cost_key(const DistanceField& obstacles, const GoalDistance& goal, c
   hash.add(goal.middle.has_value());
   for (int axis = 0; goal.middle && axis < 3; ++axis) {
     hash.add((*goal.middle)[axis]);
+  }
+  if (!terms.extra_slowness.empty()) {
+    hash.add(std::string_view("extra")).add_all(terms.extra_slowness);
   }
   return "cost " + hash.hex();
 }

@@ -13,12 +13,14 @@
 #include "core/grid.hpp"
 #include "core/progress.hpp"
 #include "core/result.hpp"
+#include "fields/cost_terms.hpp"
 #include "fields/distance_field.hpp"
 #include "fields/goal.hpp"
 
 namespace mayfly::fields {
 
-// The cost of a path is A · length + B · ∫g ds, g = h(φ/influence) with h the bell of Wang14 Eq. 6.
+// The cost of a path is A · length + B · ∫g ds + ∫extra ds, g = h(φ/influence) with h the bell of Wang14
+// Eq. 6, extra from CostTerms; a metre costs no less than kLeastSlowness · A.
 struct CostParams {
   float length_weight = 0.6F;     // A, > 0
   float repulsion_weight = 0.4F;  // B, ≥ 0
@@ -61,12 +63,14 @@ struct CostField {
 float effective_clearance(const CostParams& params, const Grid& grid);
 
 // threads < 1 means all cores; the result has the same bits for any number. Errors: those of place_sources
-// and solve_eikonal; a parameter out of range; no memory.
+// and solve_eikonal; a parameter out of range; extra slowness of another size, or not finite; no memory.
 Result<CostField> build_cost_field(const DistanceField& obstacles, const GoalDistance& goal,
-                                   const CostParams& params, int threads, const Progress& progress);
+                                   const CostParams& params, int threads, const Progress& progress,
+                                   const CostTerms& terms = {});
 
 // Everything that the guide depends on: the key under which a FieldCache keeps it.
-std::string cost_key(const DistanceField& obstacles, const GoalDistance& goal, const CostParams& params);
+std::string cost_key(const DistanceField& obstacles, const GoalDistance& goal, const CostParams& params,
+                     const CostTerms& terms = {});
 // The rest of a CostField from a guide that build_cost_field made of the same obstacles and parameters.
 CostField restore_cost_field(const DistanceField& obstacles, const CostParams& params,
                              std::vector<float> guide);

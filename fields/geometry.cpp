@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 #include <limits>
 #include <utility>
 
@@ -135,6 +136,40 @@ double Geometry::Parts::solid_distance(const glm::dvec3& point) const noexcept {
   return distance;
 }
 
+double Geometry::Parts::signed_distance(const glm::dvec3& point) const noexcept {
+  double distance = solid_distance(point);
+  for (const Shell& shell : shells) {
+    distance = shell_distance(shell, point, distance);
+  }
+  for (const Primitive& primitive : primitives) {
+    distance = std::min(distance, fields::signed_distance(primitive, point));
+  }
+  return distance;
+}
+
+std::optional<Box> Geometry::Parts::bounds() const noexcept {
+  constexpr float kEndless = std::numeric_limits<float>::infinity();
+  Box all{glm::vec3(kEndless), glm::vec3(-kEndless)};
+  const auto add = [&](const Box& box, float around) {
+    all.min = glm::min(all.min, box.min - around);
+    all.max = glm::max(all.max, box.max + around);
+  };
+  for (const TriangleTree& solid : solids) {
+    add(solid.bounds(), 0.0F);
+  }
+  for (const Shell& shell : shells) {
+    add(shell.tree.bounds(), static_cast<float>(shell.half_thickness));
+  }
+  for (const Primitive& primitive : primitives) {
+    const std::optional<Box> box = bounds_of(primitive);
+    if (!box) {
+      return std::nullopt;
+    }
+    add(*box, 0.0F);
+  }
+  return all;
+}
+
 Result<Geometry> Geometry::make(std::span<const PlacedShape> shapes, float default_thickness) try {
   auto parts = std::make_unique<Parts>();
   ContentHash hash;
@@ -157,15 +192,7 @@ Geometry& Geometry::operator=(Geometry&&) noexcept = default;
 Geometry::~Geometry() = default;
 
 float Geometry::signed_distance(glm::vec3 point) const noexcept {
-  const glm::dvec3 p(point);
-  double distance = parts_->solid_distance(p);
-  for (const Shell& shell : parts_->shells) {
-    distance = shell_distance(shell, p, distance);
-  }
-  for (const Primitive& primitive : parts_->primitives) {
-    distance = std::min(distance, fields::signed_distance(primitive, p));
-  }
-  return static_cast<float>(distance);
+  return static_cast<float>(parts_->signed_distance(glm::dvec3(point)));
 }
 
 bool Geometry::contains(glm::vec3 point) const noexcept {

@@ -12,8 +12,6 @@
 
 namespace mayfly::fields {
 
-class DistanceBuilder;
-
 // The distance that a world without obstacles reports everywhere, m: finite, so that arithmetic on it stays
 // finite.
 inline constexpr float kNoObstacle = 1e9F;
@@ -49,9 +47,9 @@ class Geometry {
   const std::string& content_hash() const noexcept;
 
   struct Parts;  // fields/geometry_parts.hpp, for those who build fields
+  const Parts& parts() const noexcept { return *parts_; }
 
  private:
-  friend class DistanceBuilder;
   explicit Geometry(std::unique_ptr<const Parts> parts) noexcept;
 
   std::unique_ptr<const Parts> parts_;

@@ -1,6 +1,7 @@
 // What a Geometry is made of; for geometry.cpp and distance_field.cpp only.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,6 +25,10 @@ struct Geometry::Parts {
 
   // min over the closed meshes alone.
   double solid_distance(const glm::dvec3& point) const noexcept;
+  // min over everything; kNoObstacle where there is nothing.
+  double signed_distance(const glm::dvec3& point) const noexcept;
+  // Of all that is not endless; nothing where something is.
+  std::optional<Box> bounds() const noexcept;
 };
 
 }  // namespace mayfly::fields

@@ -1,31 +1,19 @@
 #include "fields/goal.hpp"
 
-#include <array>
 #include <cmath>
 #include <limits>
+#include <new>
 #include <string>
 #include <utility>
+
+#include "fields/goal_region.hpp"
+#include "fields/make_grid.hpp"
+#include "fields/sample_distance.hpp"
 
 namespace mayfly::fields {
 namespace {
 
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
-
-std::optional<glm::vec3> middle_of(const Shape& shape) {
-  if (const auto* box = std::get_if<BoxShape>(&shape)) {
-    return 0.5F * (box->box.min + box->box.max);
-  }
-  if (const auto* sphere = std::get_if<SphereShape>(&shape)) {
-    return sphere->center;
-  }
-  if (const auto* cylinder = std::get_if<CylinderShape>(&shape)) {
-    return 0.5F * (cylinder->from + cylinder->to);
-  }
-  if (const auto* mesh = std::get_if<MeshShape>(&shape)) {
-    return mesh->position;
-  }
-  return std::nullopt;
-}
 
 tl::unexpected<Error> goal_error(const GoalDistance& goal, std::string message, std::string found = {}) {
   Error error{Cause::kCaller, std::move(message)};
@@ -36,23 +24,22 @@ tl::unexpected<Error> goal_error(const GoalDistance& goal, std::string message, 
   return fail(std::move(error));
 }
 
-// The free cells that are joined to `first` by free cells less than `reach` (m) from the goal.
-void flood(const DistanceField& obstacles, const GoalDistance& goal, float clearance, float reach,
-           std::size_t first, std::span<float> cost) {
+// The free cells that are joined to `first` by free cells no farther than `reach` (m) from the goal; into
+// `found`, and their distances into `cost`.
+void flood(std::span<const float> obstacles, const GoalDistance& goal, float clearance, float reach,
+           std::size_t first, std::span<float> cost, std::vector<std::size_t>& found) {
   const glm::ivec3 n = goal.grid.cells;
   const auto nx = static_cast<std::size_t>(n.x);
   const auto plane = nx * static_cast<std::size_t>(n.y);
-  std::vector<std::size_t> open{first};
-  cost[first] = goal.distance[first];
   const auto visit = [&](std::size_t cell) {
-    if (cost[cell] == kInfinity && obstacles.distance[cell] >= clearance && goal.distance[cell] <= reach) {
+    if (cost[cell] == kInfinity && obstacles[cell] >= clearance && goal.distance[cell] <= reach) {
       cost[cell] = goal.distance[cell];
-      open.push_back(cell);
+      found.push_back(cell);
     }
   };
-  while (!open.empty()) {
-    const std::size_t cell = open.back();
-    open.pop_back();
+  visit(first);
+  for (std::size_t next = 0; next < found.size(); ++next) {
+    const std::size_t cell = found[next];
     const auto z = cell / plane;
     const auto y = cell % plane / nx;
     const auto x = cell % nx;
@@ -68,35 +55,37 @@ void flood(const DistanceField& obstacles, const GoalDistance& goal, float clear
 }  // namespace
 
 Result<GoalDistance> build_goal_distance(const PlacedShape& shape, const Grid& grid, int threads,
-                                         const Progress& progress) {
-  const auto geometry = Geometry::make({&shape, 1}, grid.cell);
-  if (!geometry) {
-    return fail(geometry.error());
+                                         const Progress& progress, glm::vec3 offset) try {
+  const auto region = GoalRegion::make(shape, grid);
+  if (!region) {
+    return fail(region.error());
   }
-  auto field = build_distance_field(*geometry, grid, threads, progress);
-  if (!field) {
-    return fail(std::move(field.error()));
+  if (auto good = check_grid(grid); !good) {
+    return fail(std::move(good.error()));
   }
-  GoalDistance goal{grid, std::move(field->distance), middle_of(shape.shape), shape.place};
-  if (goal.middle && geometry->signed_distance(*goal.middle) > grid.cell) {
-    goal.middle.reset();
-  }
+  GoalDistance goal = region->nowhere();
+  const SampleBox everywhere{grid, {glm::ivec3(0), grid.cells}, glm::dvec3(offset)};
+  lower_to_distance(region->geometry(), everywhere, threads, progress, goal.distance);
+  goal.middle = region->middle(offset);
   return goal;
+} catch (const std::bad_alloc&) {
+  return fail(Cause::kEnvironment, "there is not enough memory for a goal's distance in " +
+                                       std::to_string(grid.size()) + " cells");
 }
 
-Result<bool> place_sources(const DistanceField& obstacles, const GoalDistance& goal, float clearance,
-                           std::span<float> cost) {
-  const std::size_t count = obstacles.grid.size();
-  if (goal.grid.cells != obstacles.grid.cells || goal.distance.size() != count ||
-      obstacles.distance.size() != count || cost.size() != count) {
+Result<void> place_sources(std::span<const float> obstacles, const GoalDistance& goal, float clearance,
+                           std::span<float> cost, std::vector<std::size_t>& small) {
+  const std::size_t count = goal.grid.size();
+  if (goal.distance.size() != count || obstacles.size() != count || cost.size() != count) {
     return goal_error(goal, "the goal and the obstacles are sampled on different grids");
   }
+  small.clear();
   bool any_source = false;
   std::size_t nearest = 0;  // of all cells
   std::size_t nearest_free = count;
   for (std::size_t cell = 0; cell < count; ++cell) {
     const float depth = goal.distance[cell];
-    const float wall = obstacles.distance[cell];
+    const float wall = obstacles[cell];
     if (std::isnan(depth) || std::isnan(wall)) {
       return goal_error(goal, "a distance is not a number, in cell " + std::to_string(cell));
     }
@@ -116,7 +105,7 @@ Result<bool> place_sources(const DistanceField& obstacles, const GoalDistance& g
     }
   }
   if (any_source) {
-    return false;
+    return {};
   }
   const float cell_side = goal.grid.cell;
   // Half the diagonal of a cell: a goal farther than that from every centre has no point in any cell.
@@ -127,8 +116,8 @@ Result<bool> place_sources(const DistanceField& obstacles, const GoalDistance& g
     return goal_error(goal, "the goal lies inside obstacles, or nearer to them than an agent can come",
                       "no free cell in it or within a cell side (" + std::to_string(cell_side) + " m) of it");
   }
-  flood(obstacles, goal, clearance, 1.5F * cell_side, nearest_free, cost);
-  return true;
+  flood(obstacles, goal, clearance, 1.5F * cell_side, nearest_free, cost, small);
+  return {};
 }
 
 }  // namespace mayfly::fields

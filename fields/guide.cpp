@@ -24,7 +24,7 @@ float smooth(float r) {
 
 class GuideMaker {
  public:
-  explicit GuideMaker(const GuideInput& input) : in_(input), guide_(4 * input.grid.size()) {
+  GuideMaker(const GuideInput& input, std::span<float> guide) : in_(input), guide_(guide) {
     for (std::size_t cell = 0; cell < in_.cost.size(); ++cell) {
       if (in_.kind[cell] == CellKind::kReached) {
         farthest_ = std::max(farthest_, in_.cost[cell]);
@@ -50,8 +50,6 @@ class GuideMaker {
       }
     });
   }
-
-  std::vector<float> take() { return std::move(guide_); }
 
  private:
   template <class Function>
@@ -189,20 +187,19 @@ class GuideMaker {
   }
 
   const GuideInput& in_;
-  std::vector<float> guide_;
+  std::span<float> guide_;
   float farthest_ = 0.0F;
 };
 
 }  // namespace
 
-std::vector<float> make_guide(const GuideInput& input, int threads, const Progress& progress) {
-  GuideMaker maker(input);
+void make_guide(const GuideInput& input, std::span<float> guide, int threads, const Progress& progress) {
+  GuideMaker maker(input, guide);
   const auto planes = static_cast<std::size_t>(input.grid.cells.z);
   parallel_for(planes, threads, "cost: directions", progress,
                [&](std::size_t z) { maker.free_plane(static_cast<int>(z)); });
   parallel_for(planes, threads, "cost: walls", progress,
                [&](std::size_t z) { maker.blocked_plane(static_cast<int>(z)); });
-  return maker.take();
 }
 
 void point_at(glm::vec3 middle, const Grid& grid, std::span<const std::size_t> cells,

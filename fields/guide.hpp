@@ -2,7 +2,6 @@
 #pragma once
 
 #include <span>
-#include <vector>
 
 #include "core/grid.hpp"
 #include "core/progress.hpp"
@@ -19,8 +18,8 @@ struct GuideInput {
   float clearance = 0.0F;  // m, effective
 };
 
-// The guide of a CostField: 4 floats a cell.
-std::vector<float> make_guide(const GuideInput& input, int threads, const Progress& progress);
+// Writes the guide of a CostField: 4 floats a cell.
+void make_guide(const GuideInput& input, std::span<float> guide, int threads, const Progress& progress);
 
 // Leads to `middle` in the given cells: for a goal too small for differences between cells to point at it.
 void point_at(glm::vec3 middle, const Grid& grid, std::span<const std::size_t> cells, std::span<float> guide);

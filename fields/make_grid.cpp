@@ -79,4 +79,16 @@ Result<Grid> make_grid(const Box& bounds, float cell) {
               glm::ivec3(static_cast<int>(cells[0]), static_cast<int>(cells[1]), static_cast<int>(cells[2]))};
 }
 
+Result<void> check_grid(const Grid& grid) {
+  if (grid.cells.x < 1 || grid.cells.y < 1 || grid.cells.z < 1 || grid.size() > kMaxCells) {
+    return fail(Error{Cause::kCaller,
+                      "the distance field's grid is empty or too large",
+                      std::nullopt,
+                      std::to_string(grid.size()) + " cells",
+                      "1 to " + std::to_string(kMaxCells),
+                      {}});
+  }
+  return {};
+}
+
 }  // namespace mayfly::fields

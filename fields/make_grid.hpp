@@ -15,4 +15,7 @@ inline constexpr std::size_t kMaxCells = std::size_t{1} << 28;  // 1 GiB of floa
 // positive, and more than kMaxCells cells, naming the cell side that would fit. Allocates nothing.
 Result<Grid> make_grid(const Box& bounds, float cell);
 
+// What builders of fields ask for: at least one cell along each axis, no more than kMaxCells.
+Result<void> check_grid(const Grid& grid);
+
 }  // namespace mayfly::fields

@@ -15,7 +15,7 @@ constexpr std::chrono::milliseconds kBetweenReports{250};
 }  // namespace
 
 void parallel_for(std::size_t count, int threads, std::string_view stage, const Progress& progress,
-                  const std::function<void(std::size_t)>& work) {
+                  const WorkReference& work) {
   std::atomic<std::size_t> next{0};
   const auto run = [&] {
     for (std::size_t i = next.fetch_add(1); i < count; i = next.fetch_add(1)) {

@@ -93,6 +93,20 @@ double signed_distance(const Primitive& primitive, const glm::dvec3& point) noex
   return std::visit(Distance{point}, primitive);
 }
 
+std::optional<Box> bounds_of(const Primitive& primitive) noexcept {
+  if (const auto* box = std::get_if<BoxShape>(&primitive)) {
+    return box->box;
+  }
+  if (const auto* sphere = std::get_if<SphereShape>(&primitive)) {
+    return Box{sphere->center - sphere->radius, sphere->center + sphere->radius};
+  }
+  if (const auto* cylinder = std::get_if<CylinderShape>(&primitive)) {
+    return Box{glm::min(cylinder->from, cylinder->to) - cylinder->radius,
+               glm::max(cylinder->from, cylinder->to) + cylinder->radius};
+  }
+  return std::nullopt;
+}
+
 Result<void> check(const Primitive& primitive) {
   return std::visit(Check{}, primitive);
 }

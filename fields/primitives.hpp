@@ -2,6 +2,7 @@
 #pragma once
 
 #include <glm/vec3.hpp>
+#include <optional>
 #include <variant>
 
 #include "core/result.hpp"
@@ -14,6 +15,9 @@ using Primitive = std::variant<BoxShape, SphereShape, CylinderShape, HalfSpaceSh
 // m, negative inside; exact everywhere, inside too.
 // Why it cannot throw: primitives.cpp. NOLINTNEXTLINE(bugprone-exception-escape)
 double signed_distance(const Primitive& primitive, const glm::dvec3& point) noexcept;
+
+// Nothing for a half-space, which has no end.
+std::optional<Box> bounds_of(const Primitive& primitive) noexcept;
 
 // Refuses numbers that are not finite, empty boxes, radii that are not positive, cylinders and normals
 // without a length.

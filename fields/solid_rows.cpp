@@ -16,13 +16,13 @@ struct Range {
 
 // The cells along an axis whose centres may lie within [low, high]: a little more, as centres are rounded;
 // the crossing test decides.
-Range cells_between(float low, float high, const Grid& grid, int axis) {
+Range cells_between(float low, float high, const SampleBox& samples, int axis) {
   constexpr double kSlack = 0.05;
-  const double cell = static_cast<double>(grid.cell);
-  const double origin = static_cast<double>(grid.origin[axis]);
+  const double cell = static_cast<double>(samples.grid.cell);
+  const double origin = samples.center(0, 0, 0)[axis] - 0.5 * cell;
   const double first = std::ceil((static_cast<double>(low) - origin) / cell - 0.5 - kSlack);
   const double last = std::floor((static_cast<double>(high) - origin) / cell - 0.5 + kSlack);
-  const double end = static_cast<double>(grid.cells[axis]) - 1.0;
+  const double end = static_cast<double>(samples.cells()[axis]) - 1.0;
   if (first > end || last < 0.0) {
     return {};
   }
@@ -35,11 +35,11 @@ Range cells_between(float low, float high, const Grid& grid, int axis) {
 void SolidRows::cross_triangle(const TriangleTree::Corners& t, const auto& visit) const {
   const auto [low_y, high_y] = std::minmax({t[0].y, t[1].y, t[2].y});
   const auto [low_z, high_z] = std::minmax({t[0].z, t[1].z, t[2].z});
-  const Range js = cells_between(low_y, high_y, grid_, 1);
-  const Range ks = cells_between(low_z, high_z, grid_, 2);
+  const Range js = cells_between(low_y, high_y, samples_, 1);
+  const Range ks = cells_between(low_z, high_z, samples_, 2);
   for (int k = ks.first; k <= ks.last; ++k) {
     for (int j = js.first; j <= js.last; ++j) {
-      const glm::dvec3 center(grid_.center(0, j, k));
+      const glm::dvec3 center = samples_.center(0, j, k);
       if (const int passes = crossing(t[0], t[1], t[2], center.y, center.z); passes != 0) {
         visit(row_index(j, k), center, passes);
       }
@@ -58,8 +58,9 @@ void SolidRows::cross(std::span<const TriangleTree> solids, const auto& visit) c
   }
 }
 
-SolidRows::SolidRows(std::span<const TriangleTree> solids, const Grid& grid) : grid_(grid) {
-  const std::size_t rows = row_index(0, grid.cells.z);
+SolidRows::SolidRows(std::span<const TriangleTree> solids, const SampleBox& samples)
+    : samples_(samples), cells_(samples.cells()) {
+  const std::size_t rows = row_index(0, cells_.z);
   first_.assign(rows + 1, 0);
   cross(solids, [&](std::size_t row, auto, const auto&, const auto&, int) { ++first_[row + 1]; });
   for (std::size_t row = 0; row < rows; ++row) {
@@ -80,7 +81,7 @@ SolidRows::SolidRows(std::span<const TriangleTree> solids, const Grid& grid) : g
 }
 
 std::vector<int> SolidRows::owners(int j, int k) const {
-  std::vector<int> row(static_cast<std::size_t>(grid_.cells.x), kNobody);
+  std::vector<int> row(static_cast<std::size_t>(cells_.x), kNobody);
   const std::size_t end = first_[row_index(j, k) + 1];
   int winding = 0;
   for (std::size_t c = first_[row_index(j, k)]; c + 1 < end; ++c) {
@@ -96,11 +97,11 @@ std::vector<int> SolidRows::owners(int j, int k) const {
 
 // Cells whose centre lies in (from, to].
 void SolidRows::claim(std::vector<int>& row, double from, double to, int solid) const {
-  const auto center_x = [&](int i) { return static_cast<double>(grid_.center(i, 0, 0).x); };
-  const double cell = static_cast<double>(grid_.cell);
-  const double start = (from - static_cast<double>(grid_.origin.x)) / cell - 1.5;
-  int i = static_cast<int>(std::clamp(start, 0.0, static_cast<double>(grid_.cells.x)));
-  for (; i < grid_.cells.x && center_x(i) <= to; ++i) {
+  const auto center_x = [&](int i) { return samples_.center(i, 0, 0).x; };
+  const double cell = static_cast<double>(samples_.grid.cell);
+  const double start = (from - center_x(0)) / cell - 1.0;
+  int i = static_cast<int>(std::clamp(start, 0.0, static_cast<double>(cells_.x)));
+  for (; i < cells_.x && center_x(i) <= to; ++i) {
     if (center_x(i) > from) {
       int& owner = row[static_cast<std::size_t>(i)];
       owner = owner == kNobody || owner == solid ? solid : kSeveral;

@@ -1,11 +1,11 @@
-// Which closed mesh, if any, each cell of a grid lies in.
+// Which closed mesh, if any, each cell of a box of a grid lies in.
 #pragma once
 
 #include <cstdint>
 #include <span>
 #include <vector>
 
-#include "core/grid.hpp"
+#include "fields/sample_distance.hpp"
 #include "fields/triangle_tree.hpp"
 
 namespace mayfly::fields {
@@ -17,7 +17,7 @@ class SolidRows {
   static constexpr int kNobody = -1;
   static constexpr int kSeveral = -2;
 
-  SolidRows(std::span<const TriangleTree> solids, const Grid& grid);
+  SolidRows(std::span<const TriangleTree> solids, const SampleBox& samples);
 
   // For each cell of row (·, j, k): the index of the solid its centre lies in, kNobody, or kSeveral where
   // solids overlap.
@@ -34,11 +34,11 @@ class SolidRows {
   void cross_triangle(const TriangleTree::Corners& t, const auto& visit) const;
   void claim(std::vector<int>& row, double from, double to, int solid) const;
   std::size_t row_index(int j, int k) const {
-    return static_cast<std::size_t>(j) +
-           static_cast<std::size_t>(grid_.cells.y) * static_cast<std::size_t>(k);
+    return static_cast<std::size_t>(j) + static_cast<std::size_t>(cells_.y) * static_cast<std::size_t>(k);
   }
 
-  Grid grid_;
+  SampleBox samples_;
+  glm::ivec3 cells_;
   std::vector<std::size_t> first_;   // of each row's crossings; one more at the end
   std::vector<Crossing> crossings_;  // by row, then solid, then x
 };
