@@ -5,6 +5,7 @@
 #include <cmath>
 #include <optional>
 
+#include "controller/flight/kernel_parts.hpp"
 #include "controller/flight/rest_places.hpp"
 #include "controller/flight/scatter.hpp"
 
@@ -27,18 +28,6 @@ std::optional<HalSpec> hal_of(const Scenario& scenario, const SwarmSpec& swarm) 
 kernels::MfGrid kernel_grid(const Grid& grid) {
   return {grid.origin.x,    grid.origin.y, grid.origin.z, grid.cell,
           1.0F / grid.cell, grid.cells.x,  grid.cells.y,  grid.cells.z};
-}
-
-kernels::MfNoise kernel_noise(const NoiseSpec& spec, std::uint32_t seed) {
-  kernels::MfNoise noise{};
-  noise.octaves = static_cast<int>(std::min<std::size_t>(spec.octaves.size(), MF_MAX_OCTAVES));
-  noise.permuted = spec.hash == NoiseHash::kPerlin2002 ? 1 : 0;
-  noise.seed = seed;
-  for (std::size_t o = 0; o < static_cast<std::size_t>(noise.octaves); ++o) {
-    noise.inverse_scale[o] = 1.0F / spec.octaves[o].scale;
-    noise.gain[o] = spec.octaves[o].gain;
-  }
-  return noise;
 }
 
 // How fast an agent may near a wall, as a share of its clearance each second: a command that holds for a
@@ -89,7 +78,7 @@ kernels::MfField kernel_field(const Scenario& scenario, const SwarmSpec& swarm, 
   kernels::MfField field{};
   field.grid = kernel_grid(world.grid);
   field.noise = noise;
-  field.has_noise = swarm.noise.kind == NoiseKind::kCurl ? 1 : 0;
+  field.has_noise = swarm.noise.kind == NoiseKind::kNone ? 0 : 1;
   field.has_walls = world.solid.empty() ? 0 : 1;
   field.boundary = swarm.boundary.value_or(world.grid.cell);
   field.cruise_speed = swarm.cruise_speed;
@@ -107,6 +96,7 @@ kernels::MfField kernel_field(const Scenario& scenario, const SwarmSpec& swarm, 
   field.high_z = high.z;
   field.wall_reach =
       std::max(field.boundary + world.grid.cell, swarm.radius + swarm.limits.speed / field.approach_rate);
+  add_pulls(scenario, swarm, field);
   return field;
 }
 

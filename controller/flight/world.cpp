@@ -5,6 +5,7 @@
 #include <tuple>
 #include <utility>
 
+#include "controller/flight/kernel_parts.hpp"
 #include "fields/cache.hpp"
 #include "fields/goal.hpp"
 #include "fields/make_grid.hpp"
@@ -174,6 +175,9 @@ class Builder {
 
 tl::expected<World, std::vector<Error>> build_world(const Scenario& scenario, int threads,
                                                     const Progress& progress) {
+  if (auto errors = excess_pulls(scenario); !errors.empty()) {
+    return tl::unexpected(std::move(errors));
+  }
   return Builder(scenario, threads, progress).build();
 }
 
