@@ -20,25 +20,36 @@ using strips::Range;
 
 constexpr float kLargest = 1e12F;
 
-Result<void> check_input(const Grid& grid, std::span<const float> slowness, std::span<const float> cost) {
+Result<void> check_grid_of(const Grid& grid) {
   if (!(grid.cell > 0.0F) || !std::isfinite(grid.cell) || grid.cells.x < 1 || grid.cells.y < 1 ||
       grid.cells.z < 1) {
     return fail(Cause::kCaller, "the grid of a cost field needs at least one cell, of a positive side");
   }
+  return {};
+}
+
+// Bitwise operators: without branches, eight cells are looked at together.
+bool good_input(float slowness, float cost, float cell) {
+  const bool slowness_good =
+      (slowness <= 0.0F) | (slowness * cell <= kLargest) | (slowness == kUnreachedCost);
+  return slowness_good & ((std::abs(cost) <= kLargest) | (cost == kUnreachedCost));
+}
+
+Result<void> check_input(const Grid& grid, std::span<const float> slowness, std::span<const float> cost) {
   if (slowness.size() != grid.size() || cost.size() != grid.size()) {
     return fail(Cause::kCaller, "the grid has " + std::to_string(grid.size()) + " cells, the slowness " +
                                     std::to_string(slowness.size()) + ", the cost " +
                                     std::to_string(cost.size()));
   }
+  bool good = true;
   for (std::size_t at = 0; at < slowness.size(); ++at) {
-    const float s = slowness[at];
-    const float c = cost[at];
-    const bool slowness_good = s <= 0.0F || s * grid.cell <= kLargest || s == kUnreachedCost;
-    const bool cost_good = std::abs(c) <= kLargest || c == kUnreachedCost;
-    if (!slowness_good || !cost_good) {
+    good &= good_input(slowness[at], cost[at], grid.cell);
+  }
+  for (std::size_t at = 0; !good && at < slowness.size(); ++at) {
+    if (!good_input(slowness[at], cost[at], grid.cell)) {
       return fail(Cause::kCaller, "cell " + std::to_string(at) + " of the cost field has slowness " +
-                                      std::to_string(s) + " and source cost " + std::to_string(c) +
-                                      ": not a number, or too large");
+                                      std::to_string(slowness[at]) + " and source cost " +
+                                      std::to_string(cost[at]) + ": not a number, or too large");
     }
   }
   return {};
@@ -62,12 +73,11 @@ struct Pending {
   Range stale;  // cells that changed since the other layout was brought up to date
 };
 
-class Solver {
+}  // namespace
+
+class EikonalSolver::Sweeper {
  public:
-  Solver(const Grid& grid, std::span<const float> slowness, std::span<float> cost, unsigned threads,
-         const std::function<void(int)>& progress)
-      : grid_(grid), layout_(grid.cells), slowness_(slowness), cost_(cost), progress_(progress) {
-    threads_ = std::clamp(threads, 1U, static_cast<unsigned>(layout_.bricks));
+  explicit Sweeper(const Grid& grid) : grid_(grid), layout_(grid.cells) {
     for (int side = 0; side < 2; ++side) {
       costs_[side] = make_table(layout_.size());
       steps_[side] = make_table(layout_.size());
@@ -76,7 +86,18 @@ class Solver {
     done_ = std::make_unique<Counter[]>(static_cast<std::size_t>(layout_.bricks));
   }
 
-  EikonalStats run() {
+  const Grid& grid() const { return grid_; }
+
+  EikonalStats run(std::span<const float> slowness, std::span<float> cost, unsigned threads,
+                   const std::function<void(int)>& progress) {
+    slowness_ = slowness;
+    cost_ = cost;
+    progress_ = &progress;
+    threads_ = std::clamp(threads, 1U, static_cast<unsigned>(layout_.bricks));
+    sweeps_ = 0;
+    last_busy_ = -1;
+    updates_ = 0;
+    std::fill(pending_.begin(), pending_.end(), Pending{});
     std::vector<std::thread> helpers;
     std::atomic<bool> started{false};
     for (unsigned thread = 1; thread < threads_; ++thread) {
@@ -90,7 +111,9 @@ class Solver {
       }
     }
     threads_ = static_cast<unsigned>(helpers.size()) + 1;
-    barrier_ = std::make_unique<std::barrier<>>(threads_);
+    if (threads_ > 1) {
+      barrier_ = std::make_unique<std::barrier<>>(threads_);
+    }
     started = true;
     started.notify_all();
     work(0);
@@ -105,6 +128,12 @@ class Solver {
     std::atomic<int> strips{0};  // of the current sweep
   };
 
+  void wait_for_all() {
+    if (threads_ > 1) {
+      barrier_->arrive_and_wait();
+    }
+  }
+
   // What every thread does, in step with the others. Eight directions take turns: four on each layout.
   void work(unsigned thread) {
     constexpr bool kForward[] = {true, false, true, false};
@@ -118,16 +147,16 @@ class Solver {
         flipped = !flipped;
       }
       for_own_bricks(thread, [&](int brick) { counter(brick).store(0, std::memory_order_relaxed); });
-      barrier_->arrive_and_wait();
+      wait_for_all();
       if (run_sweep(thread, flipped, kForward[sweep % 4], kUpward[sweep % 4])) {
         last_busy_.store(sweep, std::memory_order_relaxed);
       }
-      barrier_->arrive_and_wait();
+      wait_for_all();
       busy = last_busy_.load(std::memory_order_relaxed) == sweep;
       if (thread == 0) {
         sweeps_ = sweep + 1;
-        if (progress_) {
-          progress_(sweeps_);
+        if (*progress_) {
+          (*progress_)(sweeps_);
         }
       }
     }
@@ -174,7 +203,6 @@ class Solver {
       const std::size_t offset = static_cast<std::size_t>(x) * MF_LANES;
       const float s = slowness_[cell];
       if (!(s > 0.0F) || s == kUnreachedCost) {
-        cost_[cell] = kUnreachedCost;
         continue;
       }
       const bool source = cost_[cell] != kUnreachedCost;
@@ -190,7 +218,24 @@ class Solver {
     }
   }
 
+  bool open(std::size_t cell) const {
+    return cost_[cell] == kUnreachedCost && slowness_[cell] > 0.0F && slowness_[cell] != kUnreachedCost;
+  }
+
+  // Sources amid sources or walls start nothing.
+  bool borders_on_open(int x, int y, int z) const {
+    const std::size_t cell = grid_.index(x, y, z);
+    const auto row = static_cast<std::size_t>(layout_.nx);
+    const std::size_t plane = row * static_cast<std::size_t>(layout_.ny);
+    return (x > 0 && open(cell - 1)) || (x + 1 < layout_.nx && open(cell + 1)) ||
+           (y > 0 && open(cell - row)) || (y + 1 < layout_.ny && open(cell + row)) ||
+           (z > 0 && open(cell - plane)) || (z + 1 < layout_.nz && open(cell + plane));
+  }
+
   void mark_around(int x, int y, int z) {
+    if (!borders_on_open(x, y, z)) {
+      return;
+    }
     const Range range{std::max(x - 1, 0), std::min(x + 2, layout_.nx)};
     const int brick = z / strips::kPlanes;
     const int strip = y / strips::kRows;
@@ -323,7 +368,7 @@ class Solver {
   Layout layout_;
   std::span<const float> slowness_;
   std::span<float> cost_;
-  const std::function<void(int)>& progress_;
+  const std::function<void(int)>* progress_ = nullptr;
   unsigned threads_ = 1;
   Table costs_[2];  // straight, and with the y axis flipped
   Table steps_[2];
@@ -335,16 +380,26 @@ class Solver {
   int sweeps_ = 0;
 };
 
-}  // namespace
+EikonalSolver::EikonalSolver(const Grid& grid) : sweeper_(std::make_unique<Sweeper>(grid)) {}
+EikonalSolver::EikonalSolver(EikonalSolver&&) noexcept = default;
+EikonalSolver& EikonalSolver::operator=(EikonalSolver&&) noexcept = default;
+EikonalSolver::~EikonalSolver() = default;
+
+Result<EikonalStats> EikonalSolver::solve(std::span<const float> slowness, std::span<float> cost,
+                                          unsigned threads, const std::function<void(int)>& progress) {
+  if (auto good = check_input(sweeper_->grid(), slowness, cost); !good) {
+    return fail(std::move(good.error()));
+  }
+  return sweeper_->run(slowness, cost, threads > 0 ? threads : std::thread::hardware_concurrency(), progress);
+}
 
 Result<EikonalStats> solve_eikonal(const Grid& grid, std::span<const float> slowness, std::span<float> cost,
                                    unsigned threads, const std::function<void(int)>& progress) {
-  if (auto good = check_input(grid, slowness, cost); !good) {
-    return tl::unexpected<Error>(good.error());
+  if (auto good = check_grid_of(grid); !good) {
+    return fail(std::move(good.error()));
   }
   try {
-    return Solver(grid, slowness, cost, threads > 0 ? threads : std::thread::hardware_concurrency(), progress)
-        .run();
+    return EikonalSolver(grid).solve(slowness, cost, threads, progress);
   } catch (const std::bad_alloc&) {
     return fail(Cause::kEnvironment,
                 "not enough memory for a cost field of " + std::to_string(grid.size()) + " cells");

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <functional>
 #include <limits>
+#include <memory>
 #include <span>
 
 #include "core/grid.hpp"
@@ -38,5 +39,23 @@ struct EikonalStats {
 // 1e12).
 Result<EikonalStats> solve_eikonal(const Grid& grid, std::span<const float> slowness, std::span<float> cost,
                                    unsigned threads = 0, const std::function<void(int)>& progress = {});
+
+// The same, for a grid that is solved again and again: the tables are asked for once.
+class EikonalSolver {
+ public:
+  // Throws std::bad_alloc. The grid must be one that solve_eikonal takes.
+  explicit EikonalSolver(const Grid& grid);
+  EikonalSolver(EikonalSolver&&) noexcept;
+  EikonalSolver& operator=(EikonalSolver&&) noexcept;
+  ~EikonalSolver();
+
+  // As solve_eikonal; on one thread it asks for no memory.
+  Result<EikonalStats> solve(std::span<const float> slowness, std::span<float> cost, unsigned threads,
+                             const std::function<void(int)>& progress = {});
+
+ private:
+  class Sweeper;
+  std::unique_ptr<Sweeper> sweeper_;
+};
 
 }  // namespace mayfly::fields

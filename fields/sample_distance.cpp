@@ -145,6 +145,25 @@ class DistanceBuilder {
   SolidRows rows_;
 };
 
+namespace {
+
+// Of primitives alone.
+void lower_plane(std::span<const Primitive> primitives, const SampleBox& samples, int k,
+                 std::span<float> values) {
+  const glm::ivec3 cells = samples.cells();
+  for (int j = 0; j < cells.y; ++j) {
+    for (int i = 0; i < cells.x; ++i) {
+      const glm::dvec3 center = samples.center(i, j, k);
+      float& value = values[samples.index(i, j, k)];
+      for (const Primitive& primitive : primitives) {
+        value = std::min(value, static_cast<float>(signed_distance(primitive, center)));
+      }
+    }
+  }
+}
+
+}  // namespace
+
 CellBox cells_around(const Box& bounds, float reach, const Grid& grid) {
   CellBox cells;
   for (int axis = 0; axis < 3; ++axis) {
@@ -173,6 +192,13 @@ void fill_box(const Grid& grid, const CellBox& box, float value, std::span<float
 void lower_to_distance(const Geometry& geometry, const SampleBox& samples, int threads,
                        const Progress& progress, std::span<float> values) {
   if (geometry.empty() || samples.box.empty()) {
+    return;
+  }
+  const Geometry::Parts& parts = geometry.parts();
+  if (parts.solids.empty() && parts.shells.empty()) {
+    const auto planes = static_cast<std::size_t>(samples.cells().z);
+    parallel_for(planes, threads, "distance", progress,
+                 [&](std::size_t k) { lower_plane(parts.primitives, samples, static_cast<int>(k), values); });
     return;
   }
   DistanceBuilder builder(geometry, samples, values);

@@ -13,4 +13,8 @@ namespace mayfly::fields {
 // 1993; mirrored at the borders).
 std::vector<float> spline_coefficients(const Grid& grid, std::span<const float> values);
 
+// The same into `coefficients`, of the same size; the same bits on any number of threads (< 1: all cores).
+void fill_spline_coefficients(const Grid& grid, std::span<const float> values, int threads,
+                              std::span<float> coefficients);
+
 }  // namespace mayfly::fields
