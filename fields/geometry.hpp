@@ -41,6 +41,9 @@ class Geometry {
   bool contains(glm::vec3 point) const noexcept;
 
   bool empty() const noexcept;
+  // The box (m) that holds every shape, thick shells included; infinite with a half-space among them, empty
+  // (min above max) where there is no shape.
+  Box bounds() const noexcept;
   std::size_t triangle_count() const noexcept;
   // 32 hex digits that change with any vertex, triangle, thickness or primitive: the world-space content, not
   // file names.

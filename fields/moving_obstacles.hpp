@@ -12,7 +12,7 @@
 
 namespace mayfly::fields {
 
-// φ = min(φ_still, φ of each moving shape where it is now, reach).
+// φ = min(φ_still, φ of each moving shape where it is now less its margin, reach).
 //
 // `reach` (m) caps the field: up to it φ is exact, and where anything is farther it says `reach`, which is a
 // lower bound of the distance. So a shape that moves changes φ only within `reach` of its old and its new
@@ -30,10 +30,11 @@ class MovingObstacles {
   MovingObstacles& operator=(MovingObstacles&&) noexcept;
   ~MovingObstacles();
 
-  // Puts shape i at offsets[i] (m) from where it was given, and brings field() and walls() up to date. Asks
-  // for memory for meshes and for starting threads only. Errors (kCaller): another number of offsets than of
-  // shapes; one that is not finite. The bits do not depend on `threads` or on where the shapes were before.
-  Result<void> move(std::span<const glm::vec3> offsets, int threads);
+  // Puts shape i at offsets[i] (m) from where it was given, larger by margins[i] (m, ≥ 0: φ is less by that),
+  // and brings field() and walls() up to date. Asks for memory for meshes and for starting threads only.
+  // Errors (kCaller): another number of offsets or margins than of shapes; one that is not finite. The bits
+  // do not depend on `threads` or on where the shapes were before.
+  Result<void> move(std::span<const glm::vec3> offsets, std::span<const float> margins, int threads);
 
   const DistanceField& field() const noexcept;
   // Coefficients of the quadratic spline through field(), for the kernels (fields/spline.hpp).

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "controller/flight/swarm_cost.hpp"
 #include "controller/flight/swarm_models.hpp"
 
 namespace mayfly {
@@ -11,22 +12,24 @@ namespace {
 constexpr int kStatePeriods = 5;
 constexpr double kStateSeconds = 0.1;
 
-ObstacleView obstacle_view(const World& world) {
-  if (world.solid.empty()) {
-    return {};
+ObstacleView obstacle_view(const World& world, const Motion& motion) {
+  ObstacleView view;
+  if (!world.solid.empty()) {
+    view.sampled = {world.distance.distance.data(), world.grid};
+    view.exact = [&solid = world.solid](glm::vec3 p) { return solid.signed_distance(p); };
   }
-  return {{world.distance.distance.data(), world.grid},
-          [&solid = world.solid](glm::vec3 p) { return solid.signed_distance(p); }};
+  view.moving = moving_obstacles(world.moving, motion);
+  return view;
 }
 
 }  // namespace
 
-GovernorConfig governor_config(const Scenario& scenario, const World& world) {
+GovernorConfig governor_config(const Scenario& scenario, const World& world, const Motion& motion) {
   GovernorConfig config;
   config.period = from_seconds(1.0 / static_cast<double>(scenario.control.rate));
   config.max_state_age = std::max(kStatePeriods * config.period, from_seconds(kStateSeconds));
   config.fence = scenario.world.bounds;
-  config.obstacles = obstacle_view(world);
+  config.obstacles = obstacle_view(world, motion);
   std::size_t first = 0;
   for (const SwarmSpec& swarm : scenario.swarms) {
     GovernorGroup group;
@@ -44,7 +47,7 @@ GovernorConfig governor_config(const Scenario& scenario, const World& world) {
   return config;
 }
 
-MetricsConfig metrics_config(const Scenario& scenario, const World& world) {
+MetricsConfig metrics_config(const Scenario& scenario, const World& world, const Motion& motion) {
   MetricsConfig config;
   config.period = from_seconds(1.0 / static_cast<double>(scenario.control.rate));
   std::size_t first = 0;
@@ -53,15 +56,14 @@ MetricsConfig metrics_config(const Scenario& scenario, const World& world) {
     const auto count = static_cast<std::size_t>(swarm.count);
     config.radii.insert(config.radii.end(), count, swarm.radius);
     config.swarms.push_back({first, count});
-    const auto goal = std::find_if(scenario.world.goals.begin(), scenario.world.goals.end(),
-                                   [&](const GoalSpec& g) { return g.name == swarm.goal; });
-    goal_of.push_back(static_cast<std::size_t>(goal - scenario.world.goals.begin()));
+    goal_of.push_back(goal_index(scenario, swarm));
     first += count;
   }
-  config.in_goal = [&goals = world.goals, goal_of](std::size_t swarm, glm::vec3 p) {
-    return goals[goal_of[swarm]].contains(p);
+  config.in_goal = [&goals = world.goals, &motion, goal_of](std::size_t swarm, glm::vec3 p) {
+    const std::size_t goal = goal_of[swarm];
+    return goals[goal].contains(p - motion.goal(goal));
   };
-  config.obstacles = obstacle_view(world);
+  config.obstacles = obstacle_view(world, motion);
   return config;
 }
 

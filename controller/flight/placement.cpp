@@ -59,7 +59,7 @@ Result<void> place_swarm(const Scenario& scenario, const World& world, std::uint
       if (!is_inside(swarm.start, p)) {
         continue;
       }
-      if (world.solid.signed_distance(p) < swarm.radius) {
+      if (distance_at_start(world, p) < swarm.radius) {
         ++refusals.obstacle;
       } else if (!world.costs[index]->reaches(p)) {
         ++refusals.unreachable;

@@ -58,7 +58,7 @@ std::vector<glm::vec3> rest_places(const Scenario& scenario, const World& world,
       const glm::vec3 within =
           draw_unit_cube({scenario.seed, kRestStream, index, agent, 2 * attempt + 1}) - 0.5F;
       place = cells.size() > 1 ? center + within * world.grid.cell : center;
-      if (world.solid.signed_distance(place) >= swarm.radius && taken.is_free(place, half_separation)) {
+      if (distance_at_start(world, place) >= swarm.radius && taken.is_free(place, half_separation)) {
         break;
       }
     }

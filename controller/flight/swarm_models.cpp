@@ -30,13 +30,6 @@ kernels::MfGrid kernel_grid(const Grid& grid) {
           1.0F / grid.cell, grid.cells.x,  grid.cells.y,  grid.cells.z};
 }
 
-// How fast an agent may near a wall, as a share of its clearance each second: a command that holds for a
-// period T never carries it past the wall if that is at most 1/(4T).
-float approach_rate(const Scenario& scenario) {
-  constexpr float kFastest = 5.0F;  // 1/s
-  return std::min(kFastest, 0.25F * scenario.control.rate);
-}
-
 // By how much two robots may come nearer than the points that are steered, m. One that lags by τ trails its
 // point: two by up to τ times their relative velocity. One that accelerates no faster than a needs v²/2a to
 // turn. The cruise speed stands for both velocities.
@@ -79,7 +72,7 @@ kernels::MfField kernel_field(const Scenario& scenario, const SwarmSpec& swarm, 
   field.grid = kernel_grid(world.grid);
   field.noise = noise;
   field.has_noise = swarm.noise.kind == NoiseKind::kNone ? 0 : 1;
-  field.has_walls = world.solid.empty() ? 0 : 1;
+  field.has_walls = world.solid.empty() && world.moving.empty() ? 0 : 1;
   field.boundary = swarm.boundary.value_or(world.grid.cell);
   field.cruise_speed = swarm.cruise_speed;
   field.slow_down = swarm.cruise_speed * kSlowDown;
@@ -94,8 +87,7 @@ kernels::MfField kernel_field(const Scenario& scenario, const SwarmSpec& swarm, 
   field.high_x = high.x;
   field.high_y = high.y;
   field.high_z = high.z;
-  field.wall_reach =
-      std::max(field.boundary + world.grid.cell, swarm.radius + swarm.limits.speed / field.approach_rate);
+  field.wall_reach = wall_reach(scenario, swarm, world.grid.cell);
   add_pulls(scenario, swarm, field);
   return field;
 }
@@ -111,6 +103,16 @@ SwarmModels::Places rest_columns(const Scenario& scenario, const World& world, s
 }
 
 }  // namespace
+
+float approach_rate(const Scenario& scenario) {
+  constexpr float kFastest = 5.0F;  // 1/s
+  return std::min(kFastest, 0.25F * scenario.control.rate);
+}
+
+float wall_reach(const Scenario& scenario, const SwarmSpec& swarm, float cell) {
+  return std::max(swarm.boundary.value_or(cell) + cell,
+                  swarm.radius + swarm.limits.speed / approach_rate(scenario));
+}
 
 float response_time(const Scenario& scenario, const SwarmSpec& swarm) {
   const auto hal = hal_of(scenario, swarm);

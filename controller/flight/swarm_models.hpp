@@ -22,6 +22,13 @@ struct SwarmModels {
   std::size_t agents() const { return swarms.empty() ? 0 : swarms.back().first + swarms.back().count; }
 };
 
+// How fast an agent may near a wall, as a share of its clearance each second: a command that holds for a
+// period T never carries it past the wall if that is at most 1/(4T).
+float approach_rate(const Scenario& scenario);
+
+// m: further out than this nothing of a wall is felt. `cell`: of the grid, m.
+float wall_reach(const Scenario& scenario, const SwarmSpec& swarm, float cell);
+
 // How long a swarm's robots take to fly as they are told, s: the lag of their velocity and the age of what is
 // known of them.
 float response_time(const Scenario& scenario, const SwarmSpec& swarm);

@@ -1,43 +1,61 @@
-// How near obstacles are: the sampled field where it is enough, the exact distance where it is not.
+// How near obstacles are: sampled fields where they are enough, exact distances where they are not.
 #pragma once
 
 #include <functional>
 #include <glm/vec3.hpp>
+#include <limits>
+#include <vector>
 
 #include "controller/governor/distance_view.hpp"
+#include "controller/governor/moving_obstacle.hpp"
 
 namespace mayfly {
 
 struct ObstacleView {
-  DistanceView sampled;  // empty: there are no obstacles
-  // φ in m at a point; allocates, blocks and throws nothing. Asked only where the sampled field cannot
-  // decide. Without it, robots keep away from obstacles by the sampled field's error bound as well, up to √¾
-  // of a cell.
+  DistanceView sampled;  // of what stands still; empty: nothing does
+  // φ in m at a point, of what stands still; allocates, blocks and throws nothing. Asked only where the
+  // sampled field cannot decide. Without it, robots keep away from obstacles by the sampled field's error
+  // bound as well, up to √¾ of a cell.
   std::function<float(glm::vec3)> exact{};
+  std::vector<MovingObstacle> moving{};
 
-  bool empty() const { return sampled.empty(); }
+  bool empty() const { return sampled.empty() && moving.empty(); }
 
-  struct Bounds {
-    double low = 0.0;  // m: low ≤ φ ≤ high
-    double high = 0.0;
-  };
+  using Bounds = DistanceBounds;
 
+  // Infinite where there are no obstacles.
   Bounds bounds(glm::dvec3 p) const noexcept {
-    const DistanceView::Sample s = sampled.sample(p.x, p.y, p.z);
-    return {s.value - s.error, s.value + s.error};
+    Bounds nearest = bounds_of_still(p);
+    for (const MovingObstacle& obstacle : moving) {
+      nearest = nearer(nearest, obstacle.bounds_at(p));
+    }
+    return nearest;
   }
 
   Bounds sharpest_bounds(glm::dvec3 p) const {
-    if (!exact) {
-      return bounds(p);
+    Bounds nearest =
+        exact && !sampled.empty() ? around(exact(glm::vec3(p)), glm::abs(p)) : bounds_of_still(p);
+    for (const MovingObstacle& obstacle : moving) {
+      const Bounds rough = obstacle.bounds_at(p);
+      if (rough.low < nearest.high) {
+        nearest = nearer(nearest, obstacle.sharpest_at(p));
+      }
     }
-    const double phi = exact(glm::vec3(p));
-    const double rounding = kRounding * (1.0 + std::fabs(p.x) + std::fabs(p.y) + std::fabs(p.z));
-    return {phi - rounding, phi + rounding};
+    return nearest;
   }
 
  private:
-  static constexpr double kRounding = 2e-7;  // of the point and of φ, which are floats
+  Bounds bounds_of_still(glm::dvec3 p) const noexcept {
+    if (sampled.empty()) {
+      return {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
+    }
+    const DistanceView::Sample s = sampled.sample(p.x, p.y, p.z);
+    return {s.value - s.error, s.value + s.error};
+  }
+  // Of a union.
+  static Bounds nearer(Bounds a, Bounds b) noexcept {
+    return {std::fmin(a.low, b.low), std::fmin(a.high, b.high)};
+  }
 };
 
 }  // namespace mayfly

@@ -66,11 +66,12 @@ void Metrics::observe_places(const MetricsTick& tick, std::size_t agents) noexce
 }
 
 bool Metrics::inside_obstacle(glm::vec3 place) const {
-  const DistanceView::Sample s = config_.obstacles.sampled.sample(place.x, place.y, place.z);
-  if (config_.obstacles.exact && std::fabs(s.value) <= s.error) {
-    return config_.obstacles.exact(place) < 0.0F;
+  const glm::dvec3 p(place);
+  ObstacleView::Bounds phi = config_.obstacles.bounds(p);
+  if (phi.low <= 0.0 && phi.high >= 0.0) {
+    phi = config_.obstacles.sharpest_bounds(p);
   }
-  return s.value < 0.0;
+  return phi.low + phi.high < 0.0;
 }
 
 void Metrics::observe_speeds(const MetricsTick& tick, std::size_t agents) noexcept {

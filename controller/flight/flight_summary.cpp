@@ -1,0 +1,70 @@
+// What a flight came to: the last thing that is asked of a FlightLoop.
+#include <algorithm>
+
+#include "controller/flight/expectations.hpp"
+#include "controller/flight/flight_loop.hpp"
+
+namespace mayfly {
+namespace {
+
+std::optional<LatencySummary> told(const std::optional<Percentiles>& p) {
+  return p ? std::optional(LatencySummary{p->p50, p->p99, p->p999, p->max}) : std::nullopt;
+}
+
+bool has_mde(const Scenario& scenario) {
+  return std::any_of(scenario.swarms.begin(), scenario.swarms.end(), [](const SwarmSpec& swarm) {
+    return swarm.mde_sweeps > 0 && swarm.limits.separation > 0;
+  });
+}
+
+}  // namespace
+
+Summary FlightLoop::summarise(const Executor& executor, double wall_s) const {
+  const Scenario& scenario = parts_.scenario;
+  Summary s;
+  s.scenario = scenario.name;
+  s.engine = parts_.engine.name();
+  s.hal = parts_.hal.name();
+  s.seed = scenario.seed;
+  s.agents = agents_;
+  s.ticks = ticks_;
+  s.simulated_s = to_seconds(flown_);
+  s.wall_s = wall_s;
+  s.realtime_factor = wall_s > 0 ? s.simulated_s / wall_s : 0;
+  const double agent_ticks = static_cast<double>(agents_) * static_cast<double>(ticks_);
+  if (agent_ticks > 0) {
+    s.ns_per_agent_tick = std::chrono::duration<double, std::nano>(work_).count() / agent_ticks;
+    if (has_mde(scenario)) {
+      s.mde_percent = 100.0 * static_cast<double>(moved_) / agent_ticks;
+    }
+  }
+  const MetricsResult measured = metrics_.result();
+  s.reached_fraction = measured.reached_fraction;
+  s.min_separation_m = measured.min_separation_m;
+  s.collisions = measured.collisions;
+  s.penetrations = measured.penetrations;
+  s.max_speed_mps = measured.max_speed_mps;
+  s.max_acceleration_mps2 = measured.max_acceleration_mps2;
+  s.governor_interventions = governor_.counters().interventions;
+  s.faults = faults_.told(parts_.hal.robots());
+  const TaskStats control = executor.stats().front();
+  s.control = {control.rate_hz,
+               control.ticks,
+               control.missed,
+               control.missed_by_machine,
+               parts_.clock.is_virtual() ? std::nullopt : told(control.jitter),
+               told(control.run)};
+  s.preprocessing_s = parts_.world.preprocessing;
+  s.stopped_by_user = stop_level() > 0;
+  s.expect = hold_expectations(scenario.expect, s, [&](const std::string& name) -> std::optional<double> {
+    if (name.empty()) {
+      return measured.reached_fraction;
+    }
+    const auto swarm = std::find_if(scenario.swarms.begin(), scenario.swarms.end(),
+                                    [&](const SwarmSpec& spec) { return spec.name == name; });
+    return measured.reached_fraction_of[static_cast<std::size_t>(swarm - scenario.swarms.begin())];
+  });
+  return s;
+}
+
+}  // namespace mayfly

@@ -1,0 +1,95 @@
+#include "controller/flight/world_costs.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "controller/flight/field_margin.hpp"
+#include "controller/flight/swarm_cost.hpp"
+#include "fields/goal.hpp"
+
+namespace mayfly {
+
+std::vector<Error> WorldCosts::add_to(World& world) {
+  const auto start = std::chrono::steady_clock::now();
+  const auto& swarms = scenario_.swarms;
+  if (std::any_of(swarms.begin(), swarms.end(),
+                  [&](const SwarmSpec& swarm) { return changes_in_flight(scenario_, swarm); })) {
+    solve_changing(world);
+    if (world.solver == nullptr) {
+      return std::move(errors_);
+    }
+  }
+  for (std::size_t s = 0; s < swarms.size(); ++s) {
+    std::size_t same = 0;
+    while (same < s && !share_cost(scenario_, swarms[same], swarms[s])) {
+      ++same;
+    }
+    const std::size_t changing = world.solver ? world.solver->cost_of(s) : FieldSolver::kNone;
+    if (same < s) {
+      world.costs.push_back(world.costs[same]);
+    } else {
+      world.costs.push_back(changing == FieldSolver::kNone ? make_cost(world, swarms[s]) : first_[changing]);
+    }
+    if (same == s && world.costs[s] != nullptr) {
+      if (std::string text = fields::describe_unreachable(*world.costs[s], swarms[s].goal); !text.empty()) {
+        const GoalSpec& goal = scenario_.world.goals[goal_index(scenario_, swarms[s])];
+        world.warnings.push_back({.message = std::move(text), .place = goal.place});
+      }
+    }
+  }
+  world.preprocessing.cost_cached = cached_;
+  world.preprocessing.cost += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return std::move(errors_);
+}
+
+// The first set is flown by until the second is there, a period later; it knows of no crowd.
+void WorldCosts::solve_changing(World& world) {
+  static_cast<void>(world);
+  errors_.push_back({.message = "what moves, and crowds that count, are not flown yet"});
+}
+
+WorldCosts::CostField WorldCosts::make_cost(const World& world, const SwarmSpec& swarm) {
+  auto field = load_or_solve(world, swarm);
+  if (!field) {
+    refuse(std::move(field.error()), swarm);
+    return nullptr;
+  }
+  return std::make_shared<const fields::CostField>(std::move(*field));
+}
+
+void WorldCosts::refuse(Error error, const SwarmSpec& swarm) {
+  error.message = "goal '" + swarm.goal + "': " + error.message;
+  if (!error.place) {
+    error.place = scenario_.world.goals[goal_index(scenario_, swarm)].place;
+  }
+  errors_.push_back(std::move(error));
+}
+
+Result<fields::CostField> WorldCosts::load_or_solve(const World& world, const SwarmSpec& swarm) {
+  const GoalSpec& goal = scenario_.world.goals[goal_index(scenario_, swarm)];
+  auto region = fields::build_goal_distance({goal.shape, goal.place}, world.grid, threads_, progress_);
+  if (!region) {
+    return fail(std::move(region.error()));
+  }
+  const fields::CostParams params = cost_params(swarm);
+  std::vector<float> extra;
+  if (const auto brushes = cost_brushes(scenario_, swarm); !brushes.empty()) {
+    extra.resize(world.grid.size());
+    if (auto painted = fields::add_brushes(brushes, world.grid, extra); !painted) {
+      return fail(std::move(painted.error()));
+    }
+  }
+  const fields::CostTerms terms{extra};
+  const std::string key = fields::cost_key(world.distance, *region, params, terms);
+  if (auto kept = cache_.load(key, 4 * world.grid.size())) {
+    return fields::restore_cost_field(world.distance, params, std::move(*kept));
+  }
+  cached_ = false;
+  auto field = fields::build_cost_field(world.distance, *region, params, threads_, progress_, terms);
+  if (field) {
+    cache_.store(key, field->guide);
+  }
+  return field;
+}
+
+}  // namespace mayfly
