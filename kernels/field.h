@@ -20,6 +20,7 @@ typedef struct {
   float cruise_speed;            // m/s, s0
   float slow_down;               // m over which the speed falls to 0 at an agent's place in its goal
   float goal_margin;             // m of depth over which an agent turns to that place
+  int roams;                     // in its goal an agent is free, and has no place of its own
   float radius;                  // m, of the body
   float low_x, low_y, low_z;     // m: the world's bounds, less the radius
   float high_x, high_y, high_z;  // m
@@ -31,13 +32,15 @@ typedef struct {
 
 // V_g = −∇C/|∇C| · s0 (Wang14 Eq. 8). The guide holds a unit direction and C/A (m; inside the goal minus the
 // depth) in each cell. Inside its goal an agent turns to its own place there and slows down towards it: a
-// swarm fills its goal instead of piling up on its face, and does not oscillate through it.
+// swarm fills its goal instead of piling up on its face, and does not oscillate through it. One that roams is
+// led into its goal and no further: there the noise alone moves it.
 MF_FN F3 mf_global_velocity(F3 r, F3 rest, const MfCube* cube, const MF_GLOBAL float* guide,
                             const MfField* field) {
   const F3 down =
       mf3_unit(mf3(mf_sample(guide, cube, 4, 0), mf_sample(guide, cube, 4, 1), mf_sample(guide, cube, 4, 2)));
   const F depth = -mf_sample(guide, cube, 4, 3);
   const F inside = mf_ramp(depth * (1.0f / field->goal_margin));
+  if (field->roams) return mf3_scale(down, field->cruise_speed * (1.0f - inside));
   const F3 home = mf3_sub(rest, r);
   const F3 direction = mf3_unit(mf3_add(mf3_scale(down, 1.0f - inside), mf3_scale(mf3_unit(home), inside)));
   const F slowed = mf_ramp(mf3_length(home) * (1.0f / field->slow_down));

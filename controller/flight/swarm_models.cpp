@@ -76,6 +76,7 @@ kernels::MfField kernel_field(const Scenario& scenario, const SwarmSpec& swarm, 
   field.boundary = swarm.boundary.value_or(world.grid.cell);
   field.cruise_speed = swarm.cruise_speed;
   field.slow_down = swarm.cruise_speed * kSlowDown;
+  field.roams = swarm.at_goal == AtGoal::kRoam ? 1 : 0;
   field.goal_margin = std::max(std::min(0.5F * world.grid.cell, 0.25F * depth), 1e-3F);
   field.radius = swarm.radius;
   field.approach_rate = approach_rate(scenario);

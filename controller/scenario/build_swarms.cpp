@@ -164,6 +164,7 @@ SwarmSpec build_swarm(const Values& values, const Scenario& scenario, const File
   swarm.start = build_shape(values.map("start"), roots, findings);
   const bool has_start = findings.errors.size() == before;
   swarm.goal = values.text("goal");
+  swarm.at_goal = values.choice("at_goal") == 0 ? AtGoal::kRest : AtGoal::kRoam;
   swarm.noise = build_noise(values.map("noise"), findings);
   swarm.cost = build_cost(values.map("cost"), scenario.world.cell);
   swarm.cruise_speed = values.number_f("cruise_speed");

@@ -86,6 +86,8 @@ struct LampSpec {
 
 enum class Model { kField };  // later: forces, shape, pso, boids, orca, brownian
 enum class NoiseKind { kNone, kCurl, kPerlin, kWhite, kGaussian };
+// What agents do in their goal: come to rest, each at a place of its own, or fly on there by noise alone.
+enum class AtGoal { kRest, kRoam };
 enum class NoiseHash { kInteger, kPerlin2002 };
 
 struct NoiseSpec {
@@ -120,6 +122,7 @@ struct SwarmSpec {
   int count = 0;
   fields::Shape start;  // BoxShape or SphereShape
   std::string goal;
+  AtGoal at_goal = AtGoal::kRest;
   Model model = Model::kField;
   NoiseSpec noise;
   CostSpec cost;

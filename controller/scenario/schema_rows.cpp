@@ -211,6 +211,12 @@ void add_swarm_rows(Rows& rows) {
   add_shape_rows(rows, at + ".start", ShapeSet::kStart);
   rows.push_back(
       {.path = at + ".goal", .type = KeyType::kName, .required = true, .text = "A name of `world.goals`."});
+  rows.push_back({.path = at + ".at_goal",
+                  .type = KeyType::kChoice,
+                  .fallback = "rest",
+                  .choices = {"rest", "roam"},
+                  .text = "What agents do in their goal: `rest`, each at a place of its own, or `roam` there, "
+                          "moved by noise alone and led back when they leave (Wang14's aggregation)."});
   rows.push_back({.path = at + ".model",
                   .type = KeyType::kChoice,
                   .fallback = "field",
