@@ -66,6 +66,34 @@ float goal_depth(const fields::CostField& cost) {
   return -least;
 }
 
+// None for a swarm that comes to rest. The loader has seen to it that the others' goals are boxes or spheres.
+kernels::MfFence fence_of(const Scenario& scenario, const SwarmSpec& swarm) {
+  kernels::MfFence fence{};
+  const auto goal = std::find_if(scenario.world.goals.begin(), scenario.world.goals.end(),
+                                 [&](const GoalSpec& spec) { return spec.name == swarm.goal; });
+  if (swarm.at_goal == AtGoal::kRest || goal == scenario.world.goals.end()) {
+    return fence;
+  }
+  glm::vec3 center{0.0F};
+  glm::vec3 half{0.0F};
+  if (const auto* sphere = std::get_if<fields::SphereShape>(&goal->shape)) {
+    fence.kind = MF_FENCE_SPHERE;
+    center = sphere->center;
+    half = glm::vec3(sphere->radius);
+  } else if (const auto* box = std::get_if<fields::BoxShape>(&goal->shape)) {
+    fence.kind = MF_FENCE_BOX;
+    center = 0.5F * (box->box.min + box->box.max);
+    half = 0.5F * (box->box.max - box->box.min);
+  }
+  fence.x = center.x;
+  fence.y = center.y;
+  fence.z = center.z;
+  fence.half_x = half.x;
+  fence.half_y = half.y;
+  fence.half_z = half.z;
+  return fence;
+}
+
 kernels::MfField kernel_field(const Scenario& scenario, const SwarmSpec& swarm, const World& world,
                               float depth, const kernels::MfNoise& noise) {
   kernels::MfField field{};
@@ -76,7 +104,7 @@ kernels::MfField kernel_field(const Scenario& scenario, const SwarmSpec& swarm, 
   field.boundary = swarm.boundary.value_or(world.grid.cell);
   field.cruise_speed = swarm.cruise_speed;
   field.slow_down = swarm.cruise_speed * kSlowDown;
-  field.roams = swarm.at_goal == AtGoal::kRoam ? 1 : 0;
+  field.fence = fence_of(scenario, swarm);
   field.goal_margin = std::max(std::min(0.5F * world.grid.cell, 0.25F * depth), 1e-3F);
   field.radius = swarm.radius;
   field.approach_rate = approach_rate(scenario);
