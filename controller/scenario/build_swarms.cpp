@@ -155,6 +155,19 @@ std::string build_robots(const Values& values, const std::vector<std::string>& h
   return hals.front();
 }
 
+// The border of the goal keeps a roaming swarm in, and only of boxes and spheres is it known exactly
+// everywhere.
+void check_roaming(const Values& values, const SwarmSpec& swarm, const std::vector<GoalSpec>& goals,
+                   Findings& findings) {
+  const auto goal =
+      std::find_if(goals.begin(), goals.end(), [&](const GoalSpec& spec) { return spec.name == swarm.goal; });
+  if (swarm.at_goal == AtGoal::kRoam && goal != goals.end() &&
+      std::holds_alternative<fields::MeshShape>(goal->shape)) {
+    findings.error(values.mark("at_goal"), fmt::format("nobody can roam in goal '{}'", goal->name), "a mesh",
+                   "a goal that is a box or a sphere");
+  }
+}
+
 SwarmSpec build_swarm(const Values& values, const Scenario& scenario, const FileRoots& roots,
                       Findings& findings) {
   SwarmSpec swarm;
@@ -177,6 +190,7 @@ SwarmSpec build_swarm(const Values& values, const Scenario& scenario, const File
   swarm.start_place = values.mark("start").place();
   swarm.goal_place = values.mark("goal").place();
   check_known(values, "goal", names_of(scenario.world.goals), "goal", findings);
+  check_roaming(values, swarm, scenario.world.goals, findings);
   check_speeds(values, swarm, findings);
   const Box& bounds = scenario.world.bounds;
   if (has_start && bounds.min.x < bounds.max.x && bounds.min.y < bounds.max.y &&
