@@ -212,23 +212,8 @@ bool Geometry::empty() const noexcept {
   return parts_->solids.empty() && parts_->shells.empty() && parts_->primitives.empty();
 }
 
-Box Geometry::bounds() const noexcept {
-  constexpr float kInfinity = std::numeric_limits<float>::infinity();
-  Box all{glm::vec3(kInfinity), glm::vec3(-kInfinity)};
-  const auto add = [&all](const Box& box, float margin) {
-    all = {glm::min(all.min, box.min - margin), glm::max(all.max, box.max + margin)};
-  };
-  for (const TriangleTree& solid : parts_->solids) {
-    add(solid.bounds(), 0.0F);
-  }
-  for (const Shell& shell : parts_->shells) {
-    // Rounded up: the box must hold it.
-    add(shell.tree.bounds(), std::nextafter(static_cast<float>(shell.half_thickness), kInfinity));
-  }
-  for (const Primitive& primitive : parts_->primitives) {
-    add(bounds_of(primitive).value_or(Box{glm::vec3(-kInfinity), glm::vec3(kInfinity)}), 0.0F);
-  }
-  return all;
+std::optional<Box> Geometry::bounds() const noexcept {
+  return parts_->bounds();
 }
 
 std::size_t Geometry::triangle_count() const noexcept {

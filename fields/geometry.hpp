@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <glm/vec3.hpp>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 
@@ -41,9 +42,9 @@ class Geometry {
   bool contains(glm::vec3 point) const noexcept;
 
   bool empty() const noexcept;
-  // The box (m) that holds every shape, thick shells included; infinite with a half-space among them, empty
-  // (min above max) where there is no shape.
-  Box bounds() const noexcept;
+  // The box (m) that holds every shape, thick shells included. Nothing where there is no shape, and with a
+  // half-space among them.
+  std::optional<Box> bounds() const noexcept;
   std::size_t triangle_count() const noexcept;
   // 32 hex digits that change with any vertex, triangle, thickness or primitive: the world-space content, not
   // file names.

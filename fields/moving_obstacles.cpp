@@ -29,6 +29,7 @@ struct MovingObstacles::State {
   struct Moving {
     Geometry geometry;
     glm::vec3 offset{0.0F};
+    float margin = 0.0F;
     CellBox written;  // where it may have lowered the field
   };
 
@@ -50,19 +51,22 @@ struct MovingObstacles::State {
   void place(Moving& shape, int threads) {
     shape.written = {glm::ivec3(0), field.grid.cells};
     if (const auto bounds = shape.geometry.parts().bounds()) {
-      shape.written =
-          cells_around({bounds->min + shape.offset, bounds->max + shape.offset}, reach, field.grid);
+      shape.written = cells_around({bounds->min + shape.offset, bounds->max + shape.offset},
+                                   reach + shape.margin, field.grid);
     }
-    lower_to_distance(shape.geometry, {field.grid, shape.written, glm::dvec3(shape.offset)}, threads, {},
-                      field.distance);
+    lower_to_distance(
+        shape.geometry,
+        {field.grid, shape.written, glm::dvec3(shape.offset), static_cast<double>(shape.margin)}, threads, {},
+        field.distance);
   }
 
-  void update(std::span<const glm::vec3> offsets, int threads) {
+  void update(std::span<const glm::vec3> offsets, std::span<const float> margins, int threads) {
     for (Moving& shape : moving) {
       put_back(shape.written);
     }
     for (std::size_t i = 0; i < moving.size(); ++i) {
       moving[i].offset = offsets[i];
+      moving[i].margin = margins[i];
       place(moving[i], threads);
     }
     // Wholly: the filter's poles reach across the grid, and this is a matter of nanoseconds a cell.
@@ -98,24 +102,29 @@ Result<MovingObstacles> MovingObstacles::make(DistanceField still, std::span<con
     if (!geometry) {
       return fail(std::move(geometry.error()));
     }
-    state->moving.push_back({std::move(*geometry), glm::vec3(0.0F), {}});
+    state->moving.push_back({std::move(*geometry), glm::vec3(0.0F), 0.0F, {}});
   }
   const std::vector<glm::vec3> at_start(shapes.size(), glm::vec3(0.0F));
-  state->update(at_start, threads);
+  state->update(at_start, std::vector<float>(shapes.size()), threads);
   return MovingObstacles(std::move(state));
 } catch (const std::bad_alloc&) {
   return fail(Cause::kEnvironment, "there is not enough memory for the field of moving obstacles");
 }
 
-Result<void> MovingObstacles::move(std::span<const glm::vec3> offsets, int threads) try {
-  if (offsets.size() != state_->moving.size()) {
-    return refuse("each moving obstacle needs its offset", std::to_string(offsets.size()) + " offsets",
+Result<void> MovingObstacles::move(std::span<const glm::vec3> offsets, std::span<const float> margins,
+                                   int threads) try {
+  if (offsets.size() != state_->moving.size() || margins.size() != offsets.size()) {
+    return refuse("each moving obstacle needs its offset and its margin",
+                  std::to_string(offsets.size()) + " offsets, " + std::to_string(margins.size()) + " margins",
                   std::to_string(state_->moving.size()));
+  }
+  if (!std::ranges::all_of(margins, [](float m) { return std::isfinite(m) && m >= 0.0F; })) {
+    return refuse("an obstacle's margin is no length", {}, "finite metres, not below 0");
   }
   if (!std::ranges::all_of(offsets, finite)) {
     return refuse("an obstacle's offset is not finite", {}, "metres along x, y, z");
   }
-  state_->update(offsets, threads);
+  state_->update(offsets, margins, threads);
   return {};
 } catch (const std::bad_alloc&) {
   return fail(Cause::kEnvironment, "there is not enough memory to move an obstacle");

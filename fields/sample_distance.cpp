@@ -134,7 +134,7 @@ class DistanceBuilder {
     for (std::size_t lane = 0; lane < 8; ++lane) {
       const glm::ivec3 cell = cells.cell[lane];
       float& value = values_[samples_.index(cell.x, cell.y, cell.z)];
-      value = std::min(value, static_cast<float>(distance[lane]));
+      value = std::min(value, static_cast<float>(distance[lane] - samples_.margin));
     }
   }
 
@@ -156,7 +156,7 @@ void lower_plane(std::span<const Primitive> primitives, const SampleBox& samples
       const glm::dvec3 center = samples.center(i, j, k);
       float& value = values[samples.index(i, j, k)];
       for (const Primitive& primitive : primitives) {
-        value = std::min(value, static_cast<float>(signed_distance(primitive, center)));
+        value = std::min(value, static_cast<float>(signed_distance(primitive, center) - samples.margin));
       }
     }
   }

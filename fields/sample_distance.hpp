@@ -30,6 +30,7 @@ struct SampleBox {
   Grid grid;
   CellBox box;
   glm::dvec3 offset{0.0};  // m
+  double margin = 0.0;     // m, by which the solid is taken to be larger
 
   glm::ivec3 cells() const { return box.end - box.first; }
   // i, j, k are counted from the box's first cell.

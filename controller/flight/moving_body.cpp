@@ -12,8 +12,13 @@ namespace {
 // Cells along the longest side of a mesh: as fine as that, a look at the samples decides nearly always.
 constexpr float kCellsAcross = 48.0F;
 
+// Half-spaces have none, but they have no path either.
+Box bounds_of(const fields::Geometry& solid) {
+  return solid.bounds().value_or(Box{});
+}
+
 Result<fields::DistanceField> sample_around(const fields::Geometry& solid, float world_cell, int threads) {
-  Box box = solid.bounds();
+  Box box = bounds_of(solid);
   const glm::vec3 size = box.max - box.min;
   const float cell = std::max(std::max({size.x, size.y, size.z}) / kCellsAcross, 0.25F * world_cell);
   const float margin = 2.0F * world_cell;
@@ -70,7 +75,7 @@ std::vector<MovingObstacle> moving_obstacles(std::span<const MovingBody> bodies,
   std::vector<MovingObstacle> obstacles;
   for (const MovingBody& body : bodies) {
     MovingObstacle obstacle;
-    obstacle.bounds = body.solid.bounds();
+    obstacle.bounds = bounds_of(body.solid);
     if (body.around) {
       obstacle.sampled = {body.around->distance.data(), body.around->grid};
     }

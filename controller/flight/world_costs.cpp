@@ -44,8 +44,31 @@ std::vector<Error> WorldCosts::add_to(World& world) {
 
 // The first set is flown by until the second is there, a period later; it knows of no crowd.
 void WorldCosts::solve_changing(World& world) {
-  static_cast<void>(world);
-  errors_.push_back({.message = "what moves, and crowds that count, are not flown yet"});
+  cached_ = false;
+  auto solver = FieldSolver::make(scenario_, world.distance, threads_);
+  if (!solver) {
+    errors_.push_back(std::move(solver.error()));
+    return;
+  }
+  FieldSet set = solver->make_set();
+  if (auto solved = solver->solve({.until_s = set_duration(scenario_)}, threads_, set); !solved) {
+    errors_.push_back(std::move(solved.error()));
+    return;
+  }
+  for (std::size_t s = 0; s < scenario_.swarms.size(); ++s) {
+    const std::size_t cost = solver->cost_of(s);
+    if (cost != FieldSolver::kNone && set.lost[cost]) {
+      refuse(std::move(*set.lost[cost]), scenario_.swarms[s]);
+      set.lost[cost].reset();
+    }
+  }
+  for (fields::CostField& cost : set.costs) {
+    first_.push_back(std::make_shared<const fields::CostField>(std::move(cost)));
+  }
+  if (solver->walls_change()) {
+    world.walls = std::move(set.walls);
+  }
+  world.solver = std::make_shared<FieldSolver>(std::move(*solver));
 }
 
 WorldCosts::CostField WorldCosts::make_cost(const World& world, const SwarmSpec& swarm) {

@@ -33,7 +33,8 @@ std::vector<PlacedShape> movers(const test::Folder& folder) {
 
 // The definition, cell by cell, from the exact solids.
 void expect_defined(const MovingObstacles& obstacles, const DistanceField& still,
-                    const std::vector<PlacedShape>& shapes, const std::vector<glm::vec3>& offsets) {
+                    const std::vector<PlacedShape>& shapes, const std::vector<glm::vec3>& offsets,
+                    const std::vector<float>& margins) {
   std::vector<Geometry> solids;
   for (const PlacedShape& shape : shapes) {
     solids.push_back(must(Geometry::make({&shape, 1}, 0.5F)));
@@ -44,7 +45,8 @@ void expect_defined(const MovingObstacles& obstacles, const DistanceField& still
         const std::size_t cell = kGrid.index(i, j, k);
         float expected = std::min(still.distance[cell], kReach);
         for (std::size_t s = 0; s < solids.size(); ++s) {
-          expected = std::min(expected, solids[s].signed_distance(kGrid.center(i, j, k) - offsets[s]));
+          expected =
+              std::min(expected, solids[s].signed_distance(kGrid.center(i, j, k) - offsets[s]) - margins[s]);
         }
         ASSERT_NEAR(obstacles.field().distance[cell], expected, 1e-5F);
       }
@@ -59,21 +61,24 @@ TEST(MovingObstacles, AreTheLeastOfStillMovingAndReach) {
   auto obstacles = MovingObstacles::make(still, shapes, kReach, 2);
   ASSERT_TRUE(obstacles);
   const glm::vec3 none(0.0F);
-  expect_defined(*obstacles, still, shapes, {none, none, none, none});
+  expect_defined(*obstacles, still, shapes, {none, none, none, none}, {0, 0, 0, 0});
   const std::vector<std::vector<glm::vec3>> flights{
       {{0.3F, 0, 0}, none, {-3, 1, 0.2F}, none},
       {{4, -1, 0}, {-3, -4, 1}, {-3, 1, 0.2F}, {0, 0, 3}},
       {{50, 0, 0}, {0, -9, 0}, {0, 200, 0}, {1e9F, 0, 0}},  // out of the world, some of them
       {none, none, none, none}};
   for (const auto& offsets : flights) {
-    ASSERT_TRUE(obstacles->move(offsets, 2));
-    expect_defined(*obstacles, still, shapes, offsets);
+    for (const auto& margins : std::vector<std::vector<float>>{{0, 0, 0, 0}, {0.7F, 0, 1.3F, 0.2F}}) {
+      ASSERT_TRUE(obstacles->move(offsets, margins, 2));
+      expect_defined(*obstacles, still, shapes, offsets, margins);
+    }
   }
 }
 
 TEST(MovingObstacles, HaveTheSameBitsWhereverTheyCameFromAndOnAnyNumberOfThreads) {
   const test::Folder folder;
   const auto shapes = movers(folder);
+  const std::vector<float> margins{0.5F, 0, 0.25F, 0};
   const std::vector<glm::vec3> there{{1.3F, 0, 0}, {0.1F, 0.2F, 0.3F}, {-3, 1, 0.2F}, {0, -1, 0}};
   std::vector<float> first;
   std::vector<float> first_walls;
@@ -82,9 +87,10 @@ TEST(MovingObstacles, HaveTheSameBitsWhereverTheyCameFromAndOnAnyNumberOfThreads
     ASSERT_TRUE(obstacles);
     for (int detour = 0; detour < threads; ++detour) {
       const glm::vec3 away(static_cast<float>(detour), 1.0F, -0.5F);
-      ASSERT_TRUE(obstacles->move(std::vector<glm::vec3>{away, -away, 2.0F * away, away}, threads));
+      ASSERT_TRUE(obstacles->move(std::vector<glm::vec3>{away, -away, 2.0F * away, away},
+                                  std::vector<float>{1, 0, 2, 3}, threads));
     }
-    ASSERT_TRUE(obstacles->move(there, threads));
+    ASSERT_TRUE(obstacles->move(there, margins, threads));
     if (first.empty()) {
       first = obstacles->field().distance;
       first_walls.assign(obstacles->walls().begin(), obstacles->walls().end());
@@ -99,8 +105,8 @@ TEST(MovingObstacles, AHalfSpaceReachesEverywhere) {
   const PlacedShape flood{HalfSpaceShape{{0, 0, 1}, 2.0F}, {}};
   auto obstacles = MovingObstacles::make(still_field(), {&flood, 1}, kReach, 2);
   ASSERT_TRUE(obstacles);
-  ASSERT_TRUE(obstacles->move(std::vector<glm::vec3>{{0, 0, 3.0F}}, 2));
-  expect_defined(*obstacles, still_field(), {flood}, {{0, 0, 3.0F}});
+  ASSERT_TRUE(obstacles->move(std::vector<glm::vec3>{{0, 0, 3.0F}}, std::vector<float>{0.5F}, 2));
+  expect_defined(*obstacles, still_field(), {flood}, {{0, 0, 3.0F}}, {0.5F});
 }
 
 TEST(MovingObstacles, RefusesWhatMakesNoSense) {
@@ -118,8 +124,13 @@ TEST(MovingObstacles, RefusesWhatMakesNoSense) {
   auto obstacles = MovingObstacles::make(still_field(), {&ball, 1}, kReach, 1);
   ASSERT_TRUE(obstacles);
   const auto before = obstacles->field().distance;
-  EXPECT_FALSE(obstacles->move({}, 1));
-  EXPECT_FALSE(obstacles->move(std::vector<glm::vec3>{{std::nanf(""), 0, 0}}, 1));
+  const std::vector<float> none{0};
+  const std::vector<glm::vec3> here{glm::vec3(0.0F)};
+  EXPECT_FALSE(obstacles->move({}, none, 1));
+  EXPECT_FALSE(obstacles->move(here, {}, 1));
+  EXPECT_FALSE(obstacles->move(std::vector<glm::vec3>{{std::nanf(""), 0, 0}}, none, 1));
+  EXPECT_FALSE(obstacles->move(here, std::vector<float>{std::nanf("")}, 1));
+  EXPECT_FALSE(obstacles->move(here, std::vector<float>{-0.1F}, 1));
   EXPECT_EQ(obstacles->field().distance, before);
 }
 
