@@ -2,6 +2,7 @@
 // empty box, a goal that no one defines, too many agents for their box) is found here, and collected.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -19,8 +20,12 @@ struct Findings {
 
   void error(const YamlMark& mark, std::string message, std::string found = {}, std::string wanted = {},
              std::string suggestion = {}) {
+    error(mark.place(), std::move(message), std::move(found), std::move(wanted), std::move(suggestion));
+  }
+  void error(Place place, std::string message, std::string found = {}, std::string wanted = {},
+             std::string suggestion = {}) {
     errors.push_back({.message = std::move(message),
-                      .place = mark.place(),
+                      .place = std::move(place),
                       .found = std::move(found),
                       .wanted = std::move(wanted),
                       .suggestion = std::move(suggestion)});
@@ -33,7 +38,26 @@ struct Findings {
 // The one shape that `values` holds.
 fields::Shape build_shape(const Values& values, const FileRoots& roots, Findings& findings);
 
+// The box around a shape; empty for one that only its file knows, or that has no end.
+std::optional<Box> box_around(const fields::Shape& shape);
+
+// All but the brushes.
 WorldSpec build_world(const Values& world, const FileRoots& roots, Findings& findings);
+
+// How the shape beside it moves, and whether a goal stays inside the bounds on its way.
+std::optional<PathSpec> build_path(const Values& shape, Findings& findings);
+void check_goal_path(const Values& values, const GoalSpec& goal, const Box& bounds, Findings& findings);
+
+// These two need the world and the swarms of `scenario`.
+std::vector<BrushSpec> build_brushes(const Values& world, const Scenario& scenario, Findings& findings);
+std::vector<LampSpec> build_lamps(const Values& top, const Scenario& scenario, Findings& findings);
+// What only all brushes and lamps together show. Needs both in `scenario`.
+void check_pulls(const Scenario& scenario, Findings& findings);
+
+// Whether the fields of `scenario`, which is otherwise whole, fit into the memory that is there: `available`
+// in bytes, empty where nobody knows.
+void check_memory(const Values& world, const Scenario& scenario, std::optional<double> available,
+                  Findings& findings);
 
 std::vector<HalSpec> build_hals(const Values& top, float control_rate, Findings& findings);
 
@@ -41,7 +65,7 @@ std::vector<HalSpec> build_hals(const Values& top, float control_rate, Findings&
 std::vector<SwarmSpec> build_swarms(const Values& top, const Scenario& scenario, const FileRoots& roots,
                                     Findings& findings);
 
-// Needs the world and the swarms of `scenario`.
+// Needs the world, the swarms and the lamps of `scenario`.
 std::vector<Expectation> build_expectations(const Values& top, const Scenario& scenario, Findings& findings);
 
 std::vector<PlannerSpec> build_planners(const Values& top, Findings& findings);

@@ -5,8 +5,6 @@
 #include <cmath>
 
 #include "controller/scenario/build.hpp"
-#include "controller/scenario/numbers.hpp"
-#include "controller/scenario/suggest.hpp"
 
 namespace mayfly {
 namespace {
@@ -39,55 +37,6 @@ SimHalSpec build_sim(const Values& values, float control_rate, Findings& finding
   return sim;
 }
 
-template <class Specs>
-void check_known(const Values& values, const char* key, const Specs& specs, Findings& findings) {
-  std::vector<std::string> names;
-  names.reserve(specs.size());
-  for (const auto& spec : specs) {
-    names.push_back(spec.name);
-  }
-  const std::string name = values.text(key);
-  if (!name.empty() && std::find(names.begin(), names.end(), name) == names.end()) {
-    findings.error(values.mark(key), fmt::format("there is no {} '{}'", key, name), "",
-                   "one of " + list_names(names), nearest_name(name, names));
-  }
-}
-
-// In the order of Expectation::Quantity.
-constexpr std::array<const char*, 10> kQuantities = {
-    "reached",   "min_separation",   "penetrations",           "collisions", "mde_percent",
-    "max_speed", "max_acceleration", "governor_interventions", "missed",     "faults"};
-
-std::string reached_text(const Expectation& expectation) {
-  std::string text = "reached";
-  text += expectation.swarm.empty() ? "" : " " + expectation.swarm;
-  return text + (expectation.goal.empty() ? "" : " at " + expectation.goal);
-}
-
-Expectation build_expectation(const Values& values, const Scenario& scenario, Findings& findings) {
-  Expectation result;
-  std::size_t which = 0;
-  while (!values.has(kQuantities[which])) {
-    ++which;
-  }
-  result.quantity = static_cast<Expectation::Quantity>(which);
-  result.text = kQuantities[which];
-  std::string written = values.text(kQuantities[which]);
-  if (result.quantity == Expectation::Quantity::kReached) {
-    const Values reached = values.map("reached");
-    check_known(reached, "swarm", scenario.swarms, findings);
-    check_known(reached, "goal", scenario.world.goals, findings);
-    result.swarm = reached.text("swarm");
-    result.goal = reached.text("goal");
-    result.text = reached_text(result);
-    written = reached.text("fraction");
-  }
-  const auto comparison = read_comparison(written);
-  result.comparison = comparison->comparison;
-  result.wanted = read_number(comparison->number).value.value_or(0.0);
-  return result;
-}
-
 }  // namespace
 
 std::vector<HalSpec> build_hals(const Values& top, float control_rate, Findings& findings) {
@@ -98,16 +47,6 @@ std::vector<HalSpec> build_hals(const Values& top, float control_rate, Findings&
   return hals;
 }
 
-std::vector<Expectation> build_expectations(const Values& top, const Scenario& scenario, Findings& findings) {
-  std::vector<Expectation> result;
-  if (const YamlNode* expect = top.node("expect")) {
-    for (const YamlNode& item : expect->items) {
-      result.push_back(build_expectation(top.element("expect", item), scenario, findings));
-    }
-  }
-  return result;
-}
-
 std::vector<PlannerSpec> build_planners(const Values& top, Findings& findings) {
   std::vector<PlannerSpec> planners;
   const YamlNode* node = top.node("planners");
@@ -115,6 +54,9 @@ std::vector<PlannerSpec> build_planners(const Values& top, Findings& findings) {
     return planners;
   }
   for (const YamlEntry& entry : node->entries) {
+    if (entry.key == "fields") {
+      continue;  // Scenario::field_rate
+    }
     const Values values = top.map("planners").map(entry.key);
     planners.push_back({entry.key, values.number_f("rate"), entry.mark.place()});
     findings.warn(entry.mark,

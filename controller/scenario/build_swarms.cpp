@@ -1,10 +1,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <map>
 
 #include "controller/scenario/build.hpp"
+#include "controller/scenario/names.hpp"
 #include "controller/scenario/packing.hpp"
 #include "controller/scenario/suggest.hpp"
 
@@ -15,7 +16,12 @@ constexpr long long kMaxAgents = 2'000'000;
 
 NoiseSpec build_noise(const Values& noise, Findings& findings) {
   NoiseSpec spec;
-  spec.kind = noise.choice("kind") == 0 ? NoiseKind::kCurl : NoiseKind::kNone;
+  spec.kind = std::array{NoiseKind::kCurl, NoiseKind::kNone, NoiseKind::kPerlin, NoiseKind::kWhite,
+                         NoiseKind::kGaussian}[static_cast<std::size_t>(noise.choice("kind"))];
+  spec.drift = noise.number_f("drift");
+  if (spec.drift > 0.0F && (spec.kind == NoiseKind::kWhite || spec.kind == NoiseKind::kGaussian)) {
+    findings.warn(noise.mark("drift"), "this noise is new at every tick: it has nothing that could drift");
+  }
   spec.hash = noise.choice("hash") == 0 ? NoiseHash::kInteger : NoiseHash::kPerlin2002;
   const YamlNode* octaves = noise.node("octaves");
   if (octaves == nullptr) {
@@ -41,19 +47,14 @@ CostSpec build_cost(const Values& cost, float cell) {
   spec.repulsion_weight =
       cost.maybe_number("repulsion_weight").value_or(is_eq7 ? 4.0F : 0.4F);  // Wang14 Eq. 7, 4
   spec.influence = cost.maybe_number("influence");
+  spec.density_weight = cost.number_f("density_weight");
   return spec;
 }
 
-LimitsSpec build_limits(const Values& limits) {
-  return {limits.number_f("speed"), limits.number_f("acceleration"), limits.number_f("separation")};
-}
-
-// The box around a start region.
-Box start_box(const fields::Shape& start) {
-  if (const auto* sphere = std::get_if<fields::SphereShape>(&start)) {
-    return {sphere->center - sphere->radius, sphere->center + sphere->radius};
-  }
-  return std::get<fields::BoxShape>(start).box;
+LimitsSpec build_limits(const Values& limits, float radius) {
+  constexpr float kLeastSeparation = 0.2F;  // m
+  return {limits.number_f("speed"), limits.number_f("acceleration"),
+          limits.maybe_number("separation").value_or(std::max(kLeastSeparation, 2.0F * radius))};
 }
 
 // Of the region made `factor` times as long each way.
@@ -61,7 +62,7 @@ double grown_volume(const fields::Shape& start, double separation, double factor
   if (const auto* sphere = std::get_if<fields::SphereShape>(&start)) {
     return grown_sphere_volume(factor * sphere->radius, separation);
   }
-  const glm::dvec3 size = factor * (glm::dvec3(start_box(start).max) - glm::dvec3(start_box(start).min));
+  const glm::dvec3 size = factor * (glm::dvec3(box_around(start)->max) - glm::dvec3(box_around(start)->min));
   return grown_box_volume(size.x, size.y, size.z, separation);
 }
 
@@ -98,7 +99,7 @@ void check_room(const SwarmSpec& swarm, const YamlMark& mark, Findings& findings
 }
 
 void check_start(const Values& values, const SwarmSpec& swarm, const Box& bounds, Findings& findings) {
-  const Box start = start_box(swarm.start);
+  const Box start = *box_around(swarm.start);
   if (!bounds.contains(start.min) || !bounds.contains(start.max)) {
     findings.error(values.mark("start"), fmt::format("swarm '{}' starts outside world.bounds", swarm.name),
                    "", "a start region that lies inside");
@@ -124,28 +125,9 @@ void check_speeds(const Values& values, const SwarmSpec& swarm, Findings& findin
   }
 }
 
-template <class Specs>
-std::vector<std::string> names_of(const Specs& specs) {
-  std::vector<std::string> names;
-  names.reserve(specs.size());
-  for (const auto& spec : specs) {
-    names.push_back(spec.name);
-  }
-  return names;
-}
-
-void check_known(const Values& values, const char* key, const std::vector<std::string>& names,
-                 const char* what, Findings& findings) {
-  const std::string name = values.text(key);
-  if (std::find(names.begin(), names.end(), name) == names.end()) {
-    findings.error(values.mark(key), fmt::format("there is no {} '{}'", what, name), "",
-                   "one of " + list_names(names), nearest_name(name, names));
-  }
-}
-
 std::string build_robots(const Values& values, const std::vector<std::string>& hals, Findings& findings) {
   if (values.has("robots")) {
-    check_known(values, "robots", hals, "HAL", findings);
+    find_named(values, "robots", hals, "HAL", findings);
     return values.text("robots");
   }
   if (hals.size() != 1) {
@@ -182,14 +164,14 @@ SwarmSpec build_swarm(const Values& values, const Scenario& scenario, const File
   swarm.cost = build_cost(values.map("cost"), scenario.world.cell);
   swarm.cruise_speed = values.number_f("cruise_speed");
   swarm.boundary = values.maybe_number("boundary");
-  swarm.limits = build_limits(values.map("limits"));
   swarm.radius = values.number_f("radius");
+  swarm.limits = build_limits(values.map("limits"), swarm.radius);
   swarm.mde_sweeps = static_cast<int>(values.integer("mde_sweeps"));
   swarm.governor = values.flag("governor");
   swarm.robots = build_robots(values, names_of(scenario.hals), findings);
   swarm.start_place = values.mark("start").place();
   swarm.goal_place = values.mark("goal").place();
-  check_known(values, "goal", names_of(scenario.world.goals), "goal", findings);
+  swarm.goal_index = find_named(values, "goal", names_of(scenario.world.goals), "goal", findings);
   check_roaming(values, swarm, scenario.world.goals, findings);
   check_speeds(values, swarm, findings);
   const Box& bounds = scenario.world.bounds;
@@ -205,19 +187,14 @@ SwarmSpec build_swarm(const Values& values, const Scenario& scenario, const File
 std::vector<SwarmSpec> build_swarms(const Values& top, const Scenario& scenario, const FileRoots& roots,
                                     Findings& findings) {
   std::vector<SwarmSpec> swarms;
-  std::map<std::string, Place> places;
+  UniqueNames names("swarm");
   long long agents = 0;
   for (const YamlNode& item : top.node("swarms")->items) {
     const Values values = top.element("swarms", item);
     swarms.push_back(build_swarm(values, scenario, roots, findings));
     SwarmSpec& swarm = swarms.back();
     swarm.place = item.mark.place();
-    const auto [first, is_new] = places.emplace(swarm.name, values.mark("name").place());
-    if (!is_new) {
-      findings.error(values.mark("name"), fmt::format("a second swarm '{}'", swarm.name),
-                     fmt::format("the first at {}:{}", first->second.line, first->second.column),
-                     "another name");
-    }
+    names.add(values, findings);
     const bool was_over = agents > kMaxAgents;
     agents += swarm.count;
     if (agents > kMaxAgents && !was_over) {

@@ -9,10 +9,6 @@
 namespace mayfly {
 namespace {
 
-// Distance, cost, and two columns of scratch while they are built: bytes for each cell of the grid.
-constexpr double kBytesPerCell = 16.0;
-constexpr double kMaxGridBytes = 4e9;
-
 Box build_box(const Values& values, Findings& findings) {
   const Box box{values.vector("min"), values.vector("max")};
   for (int axis = 0; axis < 3; ++axis) {
@@ -65,29 +61,16 @@ fields::Shape build_half_space(const Values& values, Findings& findings) {
                                 values.number_f("offset")};
 }
 
-// The least cell side, to two digits, with which the grid fits the cap.
-double cell_that_fits(const glm::dvec3& size) {
-  double cell = std::cbrt(size.x * size.y * size.z * kBytesPerCell / kMaxGridBytes);
-  const double step = std::pow(10.0, std::floor(std::log10(cell)) - 1.0);
-  cell = std::ceil(cell / step) * step;
-  const auto bytes = [&] {
-    return std::ceil(size.x / cell) * std::ceil(size.y / cell) * std::ceil(size.z / cell) * kBytesPerCell;
-  };
-  while (bytes() > kMaxGridBytes) {
-    cell += step;
-  }
-  return cell;
-}
-
-void check_grid(const Values& world, const WorldSpec& spec, Findings& findings) {
-  const glm::dvec3 size = glm::dvec3(spec.bounds.max) - glm::dvec3(spec.bounds.min);
-  const double cells =
-      std::ceil(size.x / spec.cell) * std::ceil(size.y / spec.cell) * std::ceil(size.z / spec.cell);
-  if (cells * kBytesPerCell > kMaxGridBytes) {
-    findings.error(world.mark("cell"), "the grid of these bounds and this cell is too large",
-                   fmt::format("{:.3g} cells, {:.3g} GB", cells, cells * kBytesPerCell / 1e9),
-                   fmt::format("at most {:g} GB: a cell of {:.6g} m or more", kMaxGridBytes / 1e9,
-                               cell_that_fits(size)));
+// A nested grid's coarse cells must be made of whole fine ones.
+void check_coarse_cell(const Values& world, const WorldSpec& spec, Findings& findings) {
+  constexpr double kRounding = 1e-4;  // of the two sides, as they are written
+  const double ratio = static_cast<double>(*spec.coarse_cell) / static_cast<double>(spec.cell);
+  const double whole = std::max(2.0, std::round(ratio));
+  if (std::fabs(ratio - whole) > kRounding * whole) {
+    findings.error(world.mark("coarse_cell"), "this is no whole multiple of world.cell",
+                   fmt::format("{:g} m, of cells of {:g} m", *spec.coarse_cell, spec.cell),
+                   "at least 2 cells, and no part of one",
+                   fmt::format("{:.6g}", whole * static_cast<double>(spec.cell)));
   }
 }
 
@@ -111,7 +94,27 @@ void check_goal_in_bounds(const GoalSpec& goal, const YamlMark& mark, const Box&
   }
 }
 
+ObstacleSpec build_obstacle(const Values& values, const YamlMark& mark, const FileRoots& roots,
+                            Findings& findings) {
+  ObstacleSpec obstacle{build_shape(values, roots, findings), mark.place(), build_path(values, findings)};
+  if (obstacle.path && std::holds_alternative<fields::HalfSpaceShape>(obstacle.shape)) {
+    findings.error(values.mark("path"), "a half-space has no end, and cannot move", "",
+                   "'path' only beside another shape");
+  }
+  return obstacle;
+}
+
 }  // namespace
+
+std::optional<Box> box_around(const fields::Shape& shape) {
+  if (const auto* box = std::get_if<fields::BoxShape>(&shape)) {
+    return box->box;
+  }
+  if (const auto* sphere = std::get_if<fields::SphereShape>(&shape)) {
+    return Box{sphere->center - sphere->radius, sphere->center + sphere->radius};
+  }
+  return std::nullopt;
+}
 
 fields::Shape build_shape(const Values& values, const FileRoots& roots, Findings& findings) {
   if (values.has("mesh")) {
@@ -136,21 +139,23 @@ WorldSpec build_world(const Values& world, const FileRoots& roots, Findings& fin
   spec.bounds = build_box(world.map("bounds"), findings);
   spec.cell = world.number_f("cell");
   const bool has_bounds = findings.errors.size() == errors_before;
-  if (has_bounds) {
-    check_grid(world, spec, findings);
+  spec.coarse_cell = world.maybe_number("coarse_cell");
+  if (spec.coarse_cell) {
+    check_coarse_cell(world, spec, findings);
   }
   if (const YamlNode* obstacles = world.node("obstacles")) {
     for (const YamlNode& item : obstacles->items) {
-      spec.obstacles.push_back(
-          {build_shape(world.element("obstacles", item), roots, findings), item.mark.place()});
+      spec.obstacles.push_back(build_obstacle(world.element("obstacles", item), item.mark, roots, findings));
     }
   }
   for (const YamlEntry& entry : world.node("goals")->entries) {
     const std::size_t before = findings.errors.size();
+    const Values values = world.element("goals", entry.value);
     spec.goals.push_back(
-        {entry.key, build_shape(world.element("goals", entry.value), roots, findings), entry.mark.place()});
+        {entry.key, build_shape(values, roots, findings), entry.mark.place(), build_path(values, findings)});
     if (has_bounds && findings.errors.size() == before) {
       check_goal_in_bounds(spec.goals.back(), entry.mark, spec.bounds, findings);
+      check_goal_path(values, spec.goals.back(), spec.bounds, findings);
     }
   }
   return spec;

@@ -38,7 +38,8 @@ class Checker {
       return;
     }
     if (!key.available) {
-      check_unavailable(node, name);
+      add({.message = fmt::format("'{}' is not available in this version", name),
+           .place = node.mark.place()});
       return;
     }
     switch (key.type) {
@@ -71,14 +72,6 @@ class Checker {
   }
   void wrong_type(const YamlNode& node, const Key& key, const std::string& name) {
     add(node, key, fmt::format("'{}' is not of the right type", name));
-  }
-
-  void check_unavailable(const YamlNode& node, const std::string& name) {
-    const bool is_empty = node.kind == Kind::kSequence && node.items.empty();
-    if (!is_empty) {
-      add({.message = fmt::format("'{}' is not available in this version", name),
-           .place = node.mark.place()});
-    }
   }
 
   void check_map(const YamlNode& node, const Key& key, const std::string& name) {
@@ -125,13 +118,18 @@ class Checker {
 
   void check_groups(const YamlNode& map, const Key& key) {
     std::vector<std::string> names;
+    std::vector<std::string> available;
     std::string group;
     for (const Key* child : child_keys(key.path)) {
       if (!child->group.empty()) {
         group = child->group;
         names.emplace_back(last_name(child->path));
       }
+      if (!child->group.empty() && child->available) {
+        available.push_back(names.back());
+      }
     }
+    const std::string wanted = (available.size() > 1 ? "exactly one of " : "") + list_names(available);
     if (group.empty()) {
       return;
     }
@@ -144,14 +142,12 @@ class Checker {
         add({.message = fmt::format("a second {} in one entry", group),
              .place = entry.mark.place(),
              .found = fmt::format("'{}' beside '{}'", entry.key, first->key),
-             .wanted = "exactly one of " + list_names(names)});
+             .wanted = wanted});
       }
       first = &entry;
     }
     if (first == nullptr) {
-      add({.message = fmt::format("no {} is given", group),
-           .place = map.mark.place(),
-           .wanted = "exactly one of " + list_names(names)});
+      add({.message = fmt::format("no {} is given", group), .place = map.mark.place(), .wanted = wanted});
     }
   }
 
@@ -182,6 +178,9 @@ class Checker {
     }
     if (static_cast<double>(node.items.size()) > key.max) {
       return add(node, key, fmt::format("'{}' is too long", name));
+    }
+    if (!node.items.empty() && static_cast<double>(node.items.size()) < key.min) {
+      add(node, key, fmt::format("'{}' is too short", name));
     }
     const Key* element = find_key(key.path + "[]");
     for (std::size_t i = 0; i < node.items.size() && !full(); ++i) {

@@ -5,6 +5,7 @@
 #include "controller/scenario/build.hpp"
 #include "controller/scenario/check.hpp"
 #include "controller/scenario/document.hpp"
+#include "controller/scenario/memory.hpp"
 #include "controller/scenario/preset.hpp"
 
 namespace mayfly {
@@ -30,6 +31,13 @@ ScenarioResult build_scenario(const YamlNode& root, const std::filesystem::path&
   scenario.world = build_world(top.map("world"), roots, findings);
   scenario.hals = build_hals(top, scenario.control.rate, findings);
   scenario.swarms = build_swarms(top, scenario, roots, findings);
+  scenario.world.brushes = build_brushes(top.map("world"), scenario, findings);
+  scenario.lamps = build_lamps(top, scenario, findings);
+  check_pulls(scenario, findings);
+  scenario.field_rate = top.map("planners").map("fields").number_f("rate");
+  if (findings.errors.empty()) {
+    check_memory(top.map("world"), scenario, available_memory(), findings);
+  }
   scenario.expect = build_expectations(top, scenario, findings);
   scenario.planners = build_planners(top, findings);
   scenario.warnings = std::move(findings.warnings);

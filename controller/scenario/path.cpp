@@ -62,4 +62,16 @@ glm::vec3 PathSpec::velocity(double time_s) const noexcept {
   return glm::vec3(way * (static_cast<double>(speed) / length_of(way)));
 }
 
+std::optional<std::size_t> PathSpec::first_point_outside(const Box& shape, const Box& bounds) const {
+  constexpr float kRounding = 1e-4F;  // m, of coordinates that are written in decimal
+  const Box room{bounds.min - kRounding, bounds.max + kRounding};
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const glm::vec3 by = points[i] - points[0];
+    if (!room.contains(shape.min + by) || !room.contains(shape.max + by)) {
+      return i;
+    }
+  }
+  return std::nullopt;
+}
+
 }  // namespace mayfly

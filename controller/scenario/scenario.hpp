@@ -1,9 +1,10 @@
 // A scenario as the program understands it: plain data, already checked, defaults filled in.
-// scenario/load.hpp makes it from YAML; the keys are described once, in scenario/schema.cpp, from which the
-// checks, the JSON schema and the reference page come. SI units throughout; world frame x east, y north, z
-// up.
+// scenario/load.hpp makes it from YAML; the keys are described once, in scenario/schema_rows.cpp, from which
+// the checks, the JSON schema and the reference page come. SI units throughout; world frame x east, y north,
+// z up.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <glm/vec3.hpp>
@@ -20,7 +21,7 @@ namespace mayfly {
 // How a shape moves: in straight lines from point to point at one speed. The shape is given where it is at
 // the start; at a later time it is displaced by where the path has got to, less the path's first point.
 struct PathSpec {
-  std::vector<glm::vec3> points;  // m, at least two, no two neighbours the same
+  std::vector<glm::vec3> points;  // m, at least two, not all the same
   float speed = 1.0F;             // m/s
   // From the last point straight back to the first, for ever; otherwise the shape stays at the last.
   bool loop = false;
@@ -30,6 +31,9 @@ struct PathSpec {
   glm::vec3 displacement(double time_s) const noexcept;
   // m/s, of the displacement; zero where it has come to its end.
   glm::vec3 velocity(double time_s) const noexcept;
+  // The first of the points at which a shape, `shape` at the start, does not lie inside `bounds`. Between two
+  // points that lie inside it does as well.
+  std::optional<std::size_t> first_point_outside(const Box& shape, const Box& bounds) const;
 };
 
 struct ObstacleSpec {
@@ -132,10 +136,11 @@ struct SwarmSpec {
   float radius = 0.05F;  // m, the body
   int mde_sweeps = 8;
   bool governor = true;
-  std::string robots;  // the name of a HAL below
-  Place place;         // of the swarm
-  Place start_place;   // of its start
-  Place goal_place;    // of its goal's name
+  std::string robots;          // the name of a HAL below
+  Place place;                 // of the swarm
+  Place start_place;           // of its start
+  Place goal_place;            // of its goal's name
+  std::size_t goal_index = 0;  // of its goal in WorldSpec::goals
 };
 
 enum class PlantKind { kIdeal, kVelocityLag, kDoubleIntegrator };
@@ -197,7 +202,7 @@ struct RecordSpec {
   float rate = 20.0F;  // Hz
 };
 
-// Read and kept, though nothing runs planners yet (Scenario::warnings says so).
+// Of planners but `fields`. Read and kept, though nothing runs them yet (Scenario::warnings says so).
 struct PlannerSpec {
   std::string name;
   float rate = 0.0F;  // Hz

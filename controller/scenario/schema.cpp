@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <map>
 #include <string>
 
@@ -79,6 +80,9 @@ std::string wanted_of(const Key& key) {
     case KeyType::kNamedMap:
       return "a map of names";
     case KeyType::kList:
+      if (std::isfinite(key.min)) {
+        return fmt::format("a list of {:.16g} to {:.16g}", key.min, key.max);
+      }
       return key.max < std::numeric_limits<double>::infinity()
                  ? fmt::format("a list of at most {:.16g}", key.max)
                  : "a list";

@@ -28,10 +28,10 @@ struct Key {
   // From the top: "swarms[].noise.scale"; [] is any element of a list, * any name the user gives.
   std::string path;
   KeyType type = KeyType::kMap;
-  std::string unit{};  // "" is a pure number
-  double min = -std::numeric_limits<double>::infinity();
-  double max = std::numeric_limits<double>::infinity();  // of a list: how many elements
-  bool above_min = false;                                // `min` itself is out
+  std::string unit{};                                     // "" is a pure number
+  double min = -std::numeric_limits<double>::infinity();  // of a list: how many elements
+  double max = std::numeric_limits<double>::infinity();
+  bool above_min = false;  // `min` itself is out
   bool required = false;
   std::string fallback{};              // the default, as YAML; "" is none
   std::string fallback_text{};         // the default in words, where it is not a constant

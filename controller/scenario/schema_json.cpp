@@ -59,13 +59,9 @@ void add_properties(Json& schema, std::string_view path) {
 
 void add_list(Json& schema, const Key& key) {
   schema["type"] = "array";
-  if (!key.available) {
-    schema["maxItems"] = 0;
-    return;
-  }
   schema["items"] = schema_of(*find_key(key.path + "[]"));
   if (key.required || key.fallback.empty()) {
-    schema["minItems"] = 1;
+    schema["minItems"] = std::isfinite(key.min) ? number_json(key.min) : Json(1);
   }
   if (std::isfinite(key.max)) {
     schema["maxItems"] = number_json(key.max);
@@ -82,6 +78,10 @@ void add_named_map(Json& schema, const Key& key) {
 }
 
 void add_type(Json& schema, const Key& key) {
+  if (!key.available) {
+    schema["not"] = Json::object();
+    return;
+  }
   switch (key.type) {
     case KeyType::kMap:
       return add_properties(schema, key.path);

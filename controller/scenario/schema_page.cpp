@@ -19,10 +19,11 @@ SI units, without the unit written behind them; the world's frame is x east, y n
 In the tables, `[]` stands for any element of a list and `*` for a name that you choose (letters, digits, `_` and `-`).
 A bold key is required. Numbers must be finite.
 
-What is checked beyond single keys: boxes are not empty; goals, HALs and swarms that are named exist, and no name is given
-twice; starts lie inside the bounds, and have room for their agents at `limits.separation`; the cruise speed is within
-`limits.speed`; a plant is stepped at least at the control rate; the grid fits 4 GB; all swarms together have at most
-2 000 000 agents.
+What is checked beyond single keys: boxes are not empty; goals, HALs, lamps and swarms that are named exist, and no name is
+given twice; starts lie inside the bounds, and have room for their agents at `limits.separation`; a goal that moves stays
+inside the bounds all the way, which an obstacle need not; brushes and lamps reach into the bounds, and no swarm feels more
+than 16 lamps and `potential` brushes; the cruise speed is within `limits.speed`; a plant is stepped at least at the control
+rate; the fields take at most 4 GB, and no more than the machine has left; all swarms together have at most 2 000 000 agents.
 
 ## Files
 Paths are relative to the scenario's folder. With symbolic links resolved, they must stay in that folder or in the project:
@@ -88,7 +89,7 @@ std::string remarks(const Key& key) {
     text += " Not in this version: " + list_names(key.later) + ".";
   }
   if (!key.available) {
-    text += key.fallback == "[]" ? " Not in this version: must be empty." : " Not in this version.";
+    text += " Not in this version.";
   }
   if (!key.needs.empty()) {
     text += fmt::format(" Only beside `{}`.", key.needs);

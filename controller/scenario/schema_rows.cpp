@@ -7,8 +7,6 @@ namespace {
 
 using Rows = std::vector<Key>;
 
-constexpr double kFarthest = 10'000.0;  // m from the origin, as in schema_shapes.cpp
-
 void add_top_rows(Rows& rows) {
   rows.push_back({.path = "mayfly",
                   .type = KeyType::kInteger,
@@ -36,59 +34,16 @@ void add_top_rows(Rows& rows) {
                   .text = "How long to fly, in simulated time."});
 }
 
-void add_world_rows(Rows& rows) {
-  rows.push_back(
-      {.path = "world", .type = KeyType::kMap, .required = true, .text = "Where the swarm flies."});
-  rows.push_back({.path = "world.bounds",
-                  .type = KeyType::kMap,
-                  .required = true,
-                  .text = "The box that the fields cover; agents stay inside."});
-  rows.push_back({.path = "world.bounds.min",
-                  .type = KeyType::kVector,
-                  .unit = "m",
-                  .min = -kFarthest,
-                  .max = kFarthest,
-                  .required = true,
-                  .text = "The corner with the smallest coordinates."});
-  rows.push_back({.path = "world.bounds.max",
-                  .type = KeyType::kVector,
-                  .unit = "m",
-                  .min = -kFarthest,
-                  .max = kFarthest,
-                  .required = true,
-                  .text = "The corner with the largest coordinates, larger than `min` in all three."});
-  rows.push_back({.path = "world.cell",
-                  .type = KeyType::kNumber,
-                  .unit = "m",
-                  .min = 0.001,
-                  .max = 1000.0,
-                  .fallback = "1.0",
-                  .text = "The side of one cell of the grid that distance and cost are kept on."});
-  rows.push_back({.path = "world.obstacles",
-                  .type = KeyType::kList,
-                  .max = 10'000,
-                  .fallback = "[]",
-                  .text = "What agents must not enter."});
-  rows.push_back(
-      {.path = "world.obstacles[]", .type = KeyType::kMap, .text = "One obstacle: exactly one shape."});
-  add_shape_rows(rows, "world.obstacles[]", ShapeSet::kObstacle);
-  rows.push_back({.path = "world.goals",
-                  .type = KeyType::kNamedMap,
-                  .required = true,
-                  .text = "The places swarms fly to, by name."});
-  rows.push_back({.path = "world.goals.*", .type = KeyType::kMap, .text = "One goal: exactly one shape."});
-  add_shape_rows(rows, "world.goals.*", ShapeSet::kGoal);
-}
-
 void add_noise_rows(Rows& rows, const std::string& path) {
   rows.push_back(
       {.path = path, .type = KeyType::kMap, .text = "The noise that makes paths natural (Wang14 §4)."});
   rows.push_back({.path = path + ".kind",
                   .type = KeyType::kChoice,
                   .fallback = "curl",
-                  .choices = {"curl", "none"},
-                  .later = {"perlin", "white", "gaussian"},
-                  .text = "Which noise; `curl` is divergence-free."});
+                  .choices = {"curl", "none", "perlin", "white", "gaussian"},
+                  .text =
+                      "Which noise; `curl` is free of divergence, the others are there to compare it with "
+                      "and as fast in the rms."});
   rows.push_back(
       {.path = path + ".hash",
        .type = KeyType::kChoice,
@@ -114,10 +69,17 @@ void add_noise_rows(Rows& rows, const std::string& path) {
                     .text = "The height of the potential; noise speed is about 1.7 · gain / scale."});
   };
   octave(path, "0.4", "0.25");
+  rows.push_back({.path = path + ".drift",
+                  .type = KeyType::kNumber,
+                  .unit = "m/s",
+                  .min = 0.0,
+                  .max = 1000.0,
+                  .fallback = "0",
+                  .text = "How fast the noise changes in time: its potentials drift along different axes."});
   rows.push_back(
       {.path = path + ".octaves",
        .type = KeyType::kList,
-       .max = 16,
+       .max = 4,
        .text = "Several potentials that are added (Wang14 Eq. 1), instead of `scale` and `gain`."});
   rows.push_back({.path = path + ".octaves[]", .type = KeyType::kMap, .text = "One potential."});
   octave(path + ".octaves[]", "", "");
@@ -157,6 +119,13 @@ void add_cost_rows(Rows& rows, const std::string& path) {
                   .above_min = true,
                   .fallback_text = "2·√2 cells",
                   .text = "How far from an obstacle its repulsion reaches (Wang14 Eq. 6)."});
+  rows.push_back({.path = path + ".density_weight",
+                  .type = KeyType::kNumber,
+                  .unit = "m²",
+                  .min = 0.0,
+                  .max = 1e6,
+                  .fallback = "0",
+                  .text = "The cost of a metre for each agent in a m³, so that a crowd spreads; 0 is off."});
 }
 
 void add_limit_rows(Rows& rows, const std::string& path) {
@@ -182,8 +151,8 @@ void add_limit_rows(Rows& rows, const std::string& path) {
                   .unit = "m",
                   .min = 0.0,
                   .max = 1000.0,
-                  .fallback = "0.2",
-                  .text = "The least distance of two agents' centres."});
+                  .fallback_text = "0.2, or two radii where they are more",
+                  .text = "The least distance of two agents' centres; below two radii, bodies touch."});
 }
 
 void add_swarm_rows(Rows& rows) {
@@ -271,11 +240,6 @@ void add_swarm_rows(Rows& rows) {
 }
 
 void add_run_rows(Rows& rows) {
-  rows.push_back({.path = "stimuli",
-                  .type = KeyType::kList,
-                  .fallback = "[]",
-                  .available = false,
-                  .text = "Predators, mates and lamps."});
   rows.push_back(
       {.path = "planners", .type = KeyType::kMap, .text = "What plans beside control, at rates of its own."});
   for (const std::string name : {"curl_noise", "pso"}) {
@@ -291,6 +255,16 @@ void add_run_rows(Rows& rows) {
                     .required = true,
                     .text = "How often it plans."});
   }
+  rows.push_back({.path = "planners.fields",
+                  .type = KeyType::kMap,
+                  .text = "Fields that are solved again in flight, off the control loop."});
+  rows.push_back({.path = "planners.fields.rate",
+                  .type = KeyType::kNumber,
+                  .unit = "Hz",
+                  .min = 0.01,
+                  .max = 1000.0,
+                  .fallback = "5",
+                  .text = "How often, where goals or obstacles move or density counts."});
   rows.push_back({.path = "control", .type = KeyType::kMap, .text = "The control loop."});
   rows.push_back({.path = "control.rate",
                   .type = KeyType::kNumber,
@@ -380,53 +354,6 @@ void add_hal_rows(Rows& rows) {
   chance("nan", "", "Probability that one robot's pose of one tick is not a number.");
 }
 
-void add_expect_rows(Rows& rows) {
-  const std::string at = "expect[]";
-  rows.push_back({.path = "expect",
-                  .type = KeyType::kList,
-                  .max = 1000,
-                  .fallback = "[]",
-                  .text = "What the run must show; a run that breaks one exits with 1."});
-  rows.push_back({.path = at, .type = KeyType::kMap, .text = "One expectation: exactly one quantity."});
-  rows.push_back({.path = at + ".reached",
-                  .type = KeyType::kMap,
-                  .group = "quantity",
-                  .text = "How many agents entered their goal at any time."});
-  rows.push_back({.path = at + ".reached.swarm",
-                  .type = KeyType::kName,
-                  .fallback_text = "all swarms",
-                  .text = "Which swarm."});
-  rows.push_back({.path = at + ".reached.goal",
-                  .type = KeyType::kName,
-                  .fallback_text = "each swarm's own",
-                  .text = "Which goal."});
-  rows.push_back({.path = at + ".reached.fraction",
-                  .type = KeyType::kComparison,
-                  .min = 0.0,
-                  .max = 1.0,
-                  .required = true,
-                  .text = "The share of agents, from 0 to 1."});
-  const auto quantity = [&](const std::string& name, const std::string& unit, double max,
-                            const std::string& text) {
-    rows.push_back({.path = at + "." + name,
-                    .type = KeyType::kComparison,
-                    .unit = unit,
-                    .min = 0.0,
-                    .max = max,
-                    .group = "quantity",
-                    .text = text});
-  };
-  quantity("min_separation", "m", 1e6, "The smallest distance of two agents' centres at any tick.");
-  quantity("penetrations", "", 1e15, "Agent-ticks with a centre inside an obstacle.");
-  quantity("collisions", "", 1e15, "Encounters nearer than the two radii together, each counted once.");
-  quantity("mde_percent", "%", 100.0, "The share of agents that minimum-distance enforcement moves a tick.");
-  quantity("max_speed", "m/s", 1e6, "The largest speed of any agent at any tick.");
-  quantity("max_acceleration", "m/s²", 1e9, "The largest change of velocity of any agent, by time.");
-  quantity("governor_interventions", "", 1e15, "Commands that the governor changed.");
-  quantity("missed", "", 1e15, "Control ticks that ended after their deadline.");
-  quantity("faults", "", 1e15, "HAL faults.");
-}
-
 }  // namespace
 
 std::vector<Key> schema_rows() {
@@ -434,6 +361,7 @@ std::vector<Key> schema_rows() {
   add_top_rows(rows);
   add_world_rows(rows);
   add_swarm_rows(rows);
+  add_stimulus_rows(rows);
   add_run_rows(rows);
   add_hal_rows(rows);
   add_expect_rows(rows);

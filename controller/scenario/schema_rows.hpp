@@ -7,7 +7,14 @@
 
 namespace mayfly {
 
+// m from the origin: float32 resolves 1 mm there; farther out, agents would visibly snap.
+inline constexpr double kFarthest = 10'000.0;
+
 std::vector<Key> schema_rows();
+
+void add_world_rows(std::vector<Key>& rows);
+void add_stimulus_rows(std::vector<Key>& rows);
+void add_expect_rows(std::vector<Key>& rows);
 
 // What every shape of the world is described with; `path` is the map that holds exactly one of them.
 enum class ShapeSet { kObstacle, kGoal, kStart };

@@ -5,9 +5,6 @@
 namespace mayfly {
 namespace {
 
-// Float32 resolves 1 mm at this distance from the origin: farther out, agents would visibly snap.
-constexpr double kFarthest = 10'000.0;
-
 void add_mesh_rows(std::vector<Key>& rows, const std::string& path) {
   rows.push_back({.path = path + ".mesh",
                   .type = KeyType::kFile,
@@ -150,6 +147,38 @@ void add_half_space_rows(std::vector<Key>& rows, const std::string& path) {
                   .text = "How far along the normal the surface is from the origin."});
 }
 
+void add_path_rows(std::vector<Key>& rows, const std::string& path) {
+  rows.push_back(
+      {.path = path,
+       .type = KeyType::kMap,
+       .text = "How it moves: the shape is where it is given at the start, and goes as the path goes."});
+  rows.push_back({.path = path + ".points",
+                  .type = KeyType::kList,
+                  .min = 2,
+                  .max = 10'000,
+                  .required = true,
+                  .text = "What the path joins with straight lines."});
+  rows.push_back({.path = path + ".points[]",
+                  .type = KeyType::kVector,
+                  .unit = "m",
+                  .min = -kFarthest,
+                  .max = kFarthest,
+                  .text = "One point."});
+  rows.push_back({.path = path + ".speed",
+                  .type = KeyType::kNumber,
+                  .unit = "m/s",
+                  .min = 0.0,
+                  .max = 1000.0,
+                  .above_min = true,
+                  .required = true,
+                  .text = "The speed along the path."});
+  rows.push_back(
+      {.path = path + ".loop",
+       .type = KeyType::kFlag,
+       .fallback = "off",
+       .text = "From the last point straight back to the first, for ever; otherwise it stays at the last."});
+}
+
 }  // namespace
 
 void add_shape_rows(std::vector<Key>& rows, const std::string& path, ShapeSet set) {
@@ -162,11 +191,8 @@ void add_shape_rows(std::vector<Key>& rows, const std::string& path, ShapeSet se
     add_cylinder_rows(rows, path);
     add_half_space_rows(rows, path);
   }
-  if (set == ShapeSet::kGoal) {
-    rows.push_back({.path = path + ".path",
-                    .type = KeyType::kList,
-                    .available = false,
-                    .text = "The places a moving goal visits."});
+  if (set != ShapeSet::kStart) {
+    add_path_rows(rows, path + ".path");
   }
 }
 

@@ -12,6 +12,14 @@ double number_in(std::string_view text) {
   return read_number(text).value.value_or(0.0);
 }
 
+glm::vec3 vector_of(const YamlNode* list) {
+  glm::vec3 result(0.0F);
+  for (int i = 0; list && i < 3; ++i) {
+    result[i] = static_cast<float>(number_in(list->items[static_cast<std::size_t>(i)].text));
+  }
+  return result;
+}
+
 }  // namespace
 
 std::string Values::key_path(std::string_view key) const {
@@ -54,12 +62,11 @@ bool Values::flag(std::string_view key) const {
 
 // The only default of a vector in the table is the origin.
 glm::vec3 Values::vector(std::string_view key) const {
-  const YamlNode* value = node(key);
-  glm::vec3 result(0.0F);
-  for (int i = 0; value && i < 3; ++i) {
-    result[i] = static_cast<float>(number_in(value->items[static_cast<std::size_t>(i)].text));
-  }
-  return result;
+  return vector_of(node(key));
+}
+
+glm::vec3 Values::whole_vector() const {
+  return vector_of(map_);
 }
 
 int Values::choice(std::string_view key) const {

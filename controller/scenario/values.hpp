@@ -34,6 +34,8 @@ class Values {
   bool flag(std::string_view key) const;
   std::string text(std::string_view key) const;
   glm::vec3 vector(std::string_view key) const;
+  // Of an element of a list of vectors: the element itself.
+  glm::vec3 whole_vector() const;
   // Which of the table's choices, from 0.
   int choice(std::string_view key) const;
 

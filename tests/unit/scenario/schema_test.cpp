@@ -87,7 +87,7 @@ std::string said_of(const Key& key, const std::string& value) {
   std::string text;
   for (const Error& error : result ? std::vector<Error>{} : result.error()) {
     const bool is_missing = error.message.find("is missing") != std::string::npos ||
-                            error.message.starts_with("no shape") || error.message.starts_with("no quantity");
+                            (error.message.starts_with("no ") && error.message.ends_with(" is given"));
     if (error.place && error.place->column == one.column && !is_missing) {
       text += to_string(error) + "\n";
     }

@@ -117,27 +117,17 @@ TEST(Packing, DenseStartIsAWarning) {
 }
 
 TEST(Warnings, SeparationBelowTwoRadii) {
-  const auto result = test::load_text(with_key("radius: 0.15"));
+  const auto result = test::load_text(with_key("radius: 0.15\n    limits: {separation: 0.2}"));
   ASSERT_TRUE(result);
   ASSERT_EQ(result->warnings.size(), 1U);
-  EXPECT_THAT(to_string(result->warnings[0]), AllOf(HasSubstr("less than two radii"), HasSubstr(":7:11")));
-  EXPECT_TRUE(test::load_text(with_key("radius: 0.1"))->warnings.empty());
+  EXPECT_THAT(to_string(result->warnings[0]), HasSubstr("less than two radii"));
+  EXPECT_TRUE(test::load_text(with_key("radius: 0.1\n    limits: {separation: 0.2}"))->warnings.empty());
 }
 
-TEST(Grid, SuggestedCellFits) {
-  for (const char* bounds : {"max: [20, 20, 20]", "max: [7000, 31, 20]", "max: [9999, 9999, 9999]"}) {
-    std::string text = changed("max: [20, 20, 20]", bounds);
-    const std::size_t at = text.find("  goals");
-    const std::string problem = errors_of(text.substr(0, at) + "  cell: 0.001\n" + text.substr(at));
-    const std::string words = "a cell of ";
-    ASSERT_THAT(problem, HasSubstr(words));
-    const double cell = std::stod(problem.substr(problem.find(words) + words.size()));
-    const auto with_cell = [&](double side) {
-      return text.substr(0, at) + "  cell: " + std::to_string(side) + "\n" + text.substr(at);
-    };
-    EXPECT_TRUE(test::load_text(with_cell(cell))) << bounds << " " << errors_of(with_cell(cell));
-    EXPECT_FALSE(test::load_text(with_cell(0.85 * cell))) << bounds;
-  }
+TEST(Separation, IsAtLeastTwoRadiiWhereNobodySays) {
+  EXPECT_FLOAT_EQ(swarm_of(with_key("radius: 0.05")).limits.separation, 0.2F);
+  EXPECT_FLOAT_EQ(swarm_of(with_key("radius: 0.15")).limits.separation, 0.3F);
+  EXPECT_FLOAT_EQ(swarm_of(with_key("radius: 0.15\n    limits: {separation: 0.1}")).limits.separation, 0.1F);
 }
 
 TEST(Hals, SwarmMustSayWhichOfTwo) {

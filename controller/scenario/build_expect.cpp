@@ -1,0 +1,128 @@
+#include <array>
+#include <string_view>
+
+#include "controller/scenario/names.hpp"
+#include "controller/scenario/numbers.hpp"
+#include "controller/scenario/suggest.hpp"
+
+namespace mayfly {
+namespace {
+
+using Quantity = Expectation::Quantity;
+
+struct QuantityKey {
+  const char* name;
+  const char* measure;  // where a quantity is a map: the key of its comparison
+};
+
+// In the order of Expectation::Quantity.
+constexpr std::array<QuantityKey, 16> kQuantities = {{{"reached", "fraction"},
+                                                      {"min_separation", nullptr},
+                                                      {"penetrations", nullptr},
+                                                      {"collisions", nullptr},
+                                                      {"mde_percent", nullptr},
+                                                      {"max_speed", nullptr},
+                                                      {"max_acceleration", nullptr},
+                                                      {"governor_interventions", nullptr},
+                                                      {"missed", nullptr},
+                                                      {"faults", nullptr},
+                                                      {"field_age", nullptr},
+                                                      {"wall_clearance", nullptr},
+                                                      {"drift", "distance"},
+                                                      {"goal_distance", "distance"},
+                                                      {"turns", "number"},
+                                                      {"spread", "radius"}}};
+
+void read_measure(Expectation& result, const std::string& written) {
+  const auto comparison = read_comparison(written);
+  result.comparison = comparison->comparison;
+  result.wanted = read_number(comparison->number).value.value_or(0.0);
+}
+
+// Of what is measured of one swarm: its name, even where the file leaves it out.
+std::string build_swarm_name(const Values& values, const Scenario& scenario, Findings& findings) {
+  const std::vector<std::string> names = names_of(scenario.swarms);
+  if (values.has("swarm")) {
+    find_named(values, "swarm", names, "swarm", findings);
+    return values.text("swarm");
+  }
+  if (names.size() != 1) {
+    findings.error(values.mark("swarm"), "this does not say which swarm it is about", "",
+                   "'swarm: ' and one of " + list_names(names));
+  }
+  return names.empty() ? std::string() : names.front();
+}
+
+void build_reached(Expectation& result, const Values& values, const Scenario& scenario, Findings& findings) {
+  if (values.has("swarm")) {
+    find_named(values, "swarm", names_of(scenario.swarms), "swarm", findings);
+  }
+  if (values.has("goal")) {
+    find_named(values, "goal", names_of(scenario.world.goals), "goal", findings);
+  }
+  result.swarm = values.text("swarm");
+  result.goal = values.text("goal");
+}
+
+void build_turns(Expectation& result, const Values& values, const Scenario& scenario, Findings& findings) {
+  if (values.has("around")) {
+    result.around = values.vector("around");
+    return;
+  }
+  const std::size_t lamp = find_named(values, "lamp", names_of(scenario.lamps), "lamp", findings);
+  result.around = lamp < scenario.lamps.size() ? scenario.lamps[lamp].position : glm::vec3(0.0F);
+}
+
+// What is measured of one swarm.
+void build_motion(Expectation& result, const Values& values, const Scenario& scenario, Findings& findings) {
+  result.swarm = build_swarm_name(values, scenario, findings);
+  if (result.quantity == Quantity::kGoalDistance && values.has("goal")) {
+    find_named(values, "goal", names_of(scenario.world.goals), "goal", findings);
+    result.goal = values.text("goal");
+  }
+  if (result.quantity == Quantity::kTurns) {
+    build_turns(result, values, scenario, findings);
+    result.text += values.has("lamp") ? " around " + values.text("lamp") : "";
+  }
+}
+
+Expectation build_expectation(const Values& values, const Scenario& scenario, Findings& findings) {
+  Expectation result;
+  std::size_t which = 0;
+  while (!values.has(kQuantities[which].name)) {
+    ++which;
+  }
+  const QuantityKey& key = kQuantities[which];
+  result.quantity = static_cast<Quantity>(which);
+  result.text = key.name;
+  if (key.measure == nullptr) {
+    read_measure(result, values.text(key.name));
+    return result;
+  }
+  const Values map = values.map(key.name);
+  if (result.quantity == Quantity::kReached) {
+    build_reached(result, map, scenario, findings);
+  } else {
+    build_motion(result, map, scenario, findings);
+  }
+  read_measure(result, map.text(key.measure));
+  // "turns around street" becomes "turns moths around street".
+  const std::size_t end_of_name = std::string_view(key.name).size();
+  result.text.insert(end_of_name, result.swarm.empty() ? "" : " " + result.swarm);
+  result.text += result.goal.empty() ? "" : " at " + result.goal;
+  return result;
+}
+
+}  // namespace
+
+std::vector<Expectation> build_expectations(const Values& top, const Scenario& scenario, Findings& findings) {
+  std::vector<Expectation> result;
+  if (const YamlNode* expect = top.node("expect")) {
+    for (const YamlNode& item : expect->items) {
+      result.push_back(build_expectation(top.element("expect", item), scenario, findings));
+    }
+  }
+  return result;
+}
+
+}  // namespace mayfly

@@ -1,0 +1,115 @@
+// The rows of what a run is held to.
+#include <string>
+
+#include "controller/scenario/schema_rows.hpp"
+
+namespace mayfly {
+namespace {
+
+using Rows = std::vector<Key>;
+
+// A quantity of one swarm: a map with the swarm, what else it needs, and the comparison.
+void add_swarm_quantity(Rows& rows, const std::string& path, const std::string& text) {
+  rows.push_back({.path = path, .type = KeyType::kMap, .group = "quantity", .text = text});
+  rows.push_back({.path = path + ".swarm",
+                  .type = KeyType::kName,
+                  .fallback_text = "the swarm, where there is only one",
+                  .text = "Which swarm."});
+}
+
+void add_measure(Rows& rows, const std::string& path, const std::string& unit, const std::string& text) {
+  rows.push_back({.path = path,
+                  .type = KeyType::kComparison,
+                  .unit = unit,
+                  .min = 0.0,
+                  .max = 1e9,
+                  .required = true,
+                  .text = text});
+}
+
+// How a swarm moves as a whole.
+void add_motion_rows(Rows& rows, const std::string& at) {
+  add_swarm_quantity(rows, at + ".drift", "How far the swarm's centre was from where it started, at most.");
+  add_measure(rows, at + ".drift.distance", "m", "The largest distance.");
+  add_swarm_quantity(rows, at + ".goal_distance",
+                     "How far the agents are from the goal's centre, which may move.");
+  rows.push_back({.path = at + ".goal_distance.goal",
+                  .type = KeyType::kName,
+                  .fallback_text = "the swarm's own",
+                  .text = "Which goal."});
+  add_measure(rows, at + ".goal_distance.distance", "m",
+              "The mean over the agents and the run's second half.");
+  add_swarm_quantity(
+      rows, at + ".turns",
+      "How often an agent circles a vertical axis; a turn one way takes back one the other way.");
+  rows.push_back({.path = at + ".turns.around",
+                  .type = KeyType::kVector,
+                  .unit = "m",
+                  .min = -kFarthest,
+                  .max = kFarthest,
+                  .group = "axis",
+                  .text = "A point of the axis."});
+  rows.push_back({.path = at + ".turns.lamp",
+                  .type = KeyType::kName,
+                  .group = "axis",
+                  .text = "The lamp through which the axis goes."});
+  add_measure(rows, at + ".turns.number", "", "The mean over the agents, in whole turns.");
+  add_swarm_quantity(rows, at + ".spread", "How far the swarm is spread about its centre.");
+  add_measure(rows, at + ".spread.radius", "m",
+              "The radius of gyration (root mean square distance), mean of the run's last tenth.");
+}
+
+}  // namespace
+
+void add_expect_rows(Rows& rows) {
+  const std::string at = "expect[]";
+  rows.push_back({.path = "expect",
+                  .type = KeyType::kList,
+                  .max = 1000,
+                  .fallback = "[]",
+                  .text = "What the run must show; a run that breaks one exits with 1."});
+  rows.push_back({.path = at, .type = KeyType::kMap, .text = "One expectation: exactly one quantity."});
+  rows.push_back({.path = at + ".reached",
+                  .type = KeyType::kMap,
+                  .group = "quantity",
+                  .text = "How many agents entered their goal at any time."});
+  rows.push_back({.path = at + ".reached.swarm",
+                  .type = KeyType::kName,
+                  .fallback_text = "all swarms",
+                  .text = "Which swarm."});
+  rows.push_back({.path = at + ".reached.goal",
+                  .type = KeyType::kName,
+                  .fallback_text = "each swarm's own",
+                  .text = "Which goal."});
+  rows.push_back({.path = at + ".reached.fraction",
+                  .type = KeyType::kComparison,
+                  .min = 0.0,
+                  .max = 1.0,
+                  .required = true,
+                  .text = "The share of agents, from 0 to 1."});
+  const auto quantity = [&](const std::string& name, const std::string& unit, double max,
+                            const std::string& text) {
+    rows.push_back({.path = at + "." + name,
+                    .type = KeyType::kComparison,
+                    .unit = unit,
+                    .min = 0.0,
+                    .max = max,
+                    .group = "quantity",
+                    .text = text});
+  };
+  quantity("min_separation", "m", 1e6, "The smallest distance of two agents' centres at any tick.");
+  quantity("penetrations", "", 1e15, "Agent-ticks with a centre inside an obstacle.");
+  quantity("collisions", "", 1e15, "Encounters nearer than the two radii together, each counted once.");
+  quantity("mde_percent", "%", 100.0, "The share of agents that minimum-distance enforcement moves a tick.");
+  quantity("max_speed", "m/s", 1e6, "The largest speed of any agent at any tick.");
+  quantity("max_acceleration", "m/s²", 1e9, "The largest change of velocity of any agent, by time.");
+  quantity("governor_interventions", "", 1e15, "Commands that the governor changed.");
+  quantity("missed", "", 1e15, "Control ticks that ended after their deadline.");
+  quantity("faults", "", 1e15, "HAL faults.");
+  quantity("field_age", "s", 1e6,
+           "The age of the oldest field that was flown by, of those solved in flight.");
+  quantity("wall_clearance", "m", 1e6, "The least distance of an agent's centre to an obstacle.");
+  add_motion_rows(rows, at);
+}
+
+}  // namespace mayfly

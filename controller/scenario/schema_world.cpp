@@ -1,0 +1,180 @@
+// The rows of what stands in the world, and of what draws agents there.
+#include <string>
+
+#include "controller/scenario/schema_rows.hpp"
+
+namespace mayfly {
+namespace {
+
+using Rows = std::vector<Key>;
+
+void add_swarm_of_row(Rows& rows, const std::string& path) {
+  rows.push_back({.path = path + ".swarm",
+                  .type = KeyType::kName,
+                  .fallback_text = "all swarms",
+                  .text = "The one swarm that feels it."});
+}
+
+void add_brush_rows(Rows& rows) {
+  const std::string at = "world.brushes[]";
+  rows.push_back({.path = "world.brushes",
+                  .type = KeyType::kList,
+                  .max = 1000,
+                  .fallback = "[]",
+                  .text = "Where you want agents, or don't: each at full strength in its centre and gone at "
+                          "its radius."});
+  rows.push_back({.path = at, .type = KeyType::kMap, .text = "One brush: `attract` or `repel`."});
+  for (const std::string effect : {"attract", "repel"}) {
+    const std::string path = at + "." + effect;
+    rows.push_back({.path = path,
+                    .type = KeyType::kMap,
+                    .group = "brush",
+                    .text = effect == "attract" ? "Draws agents in." : "Keeps agents away."});
+    rows.push_back({.path = path + ".center",
+                    .type = KeyType::kVector,
+                    .unit = "m",
+                    .min = -kFarthest,
+                    .max = kFarthest,
+                    .required = true,
+                    .text = "Its centre."});
+    rows.push_back({.path = path + ".radius",
+                    .type = KeyType::kNumber,
+                    .unit = "m",
+                    .min = 0.0,
+                    .max = kFarthest,
+                    .above_min = true,
+                    .required = true,
+                    .text = "How far it reaches."});
+    rows.push_back({.path = path + ".strength",
+                    .type = KeyType::kNumber,
+                    .unit = "1/m or m/s",
+                    .min = 0.0,
+                    .max = 1e6,
+                    .above_min = true,
+                    .required = true,
+                    .text = effect == "attract"
+                                ? "Of a cost, what a metre in the centre costs less; of a potential, the "
+                                  "velocity where it is steepest."
+                                : "Of a cost, what a metre in the centre costs more; of a potential, the "
+                                  "velocity where it is steepest."});
+    rows.push_back(
+        {.path = path + ".term",
+         .type = KeyType::kChoice,
+         .fallback = "cost",
+         .choices = {"cost", "potential"},
+         .text = "`cost` changes the ways that are planned, `potential` the velocity right there."});
+  }
+  add_swarm_of_row(rows, at);
+}
+
+}  // namespace
+
+void add_world_rows(Rows& rows) {
+  rows.push_back(
+      {.path = "world", .type = KeyType::kMap, .required = true, .text = "Where the swarm flies."});
+  rows.push_back({.path = "world.bounds",
+                  .type = KeyType::kMap,
+                  .required = true,
+                  .text = "The box that the fields cover; agents stay inside."});
+  rows.push_back({.path = "world.bounds.min",
+                  .type = KeyType::kVector,
+                  .unit = "m",
+                  .min = -kFarthest,
+                  .max = kFarthest,
+                  .required = true,
+                  .text = "The corner with the smallest coordinates."});
+  rows.push_back({.path = "world.bounds.max",
+                  .type = KeyType::kVector,
+                  .unit = "m",
+                  .min = -kFarthest,
+                  .max = kFarthest,
+                  .required = true,
+                  .text = "The corner with the largest coordinates, larger than `min` in all three."});
+  rows.push_back({.path = "world.cell",
+                  .type = KeyType::kNumber,
+                  .unit = "m",
+                  .min = 0.001,
+                  .max = 1000.0,
+                  .fallback = "1.0",
+                  .text = "The side of one cell of the grid that distance and cost are kept on."});
+  rows.push_back({.path = "world.coarse_cell",
+                  .type = KeyType::kNumber,
+                  .unit = "m",
+                  .min = 0.001,
+                  .max = 1000.0,
+                  .fallback_text = "one grid, all of `cell`",
+                  .text =
+                      "For large worlds, cells of this side away from obstacles and goals; a whole multiple "
+                      "of `cell`."});
+  rows.push_back({.path = "world.obstacles",
+                  .type = KeyType::kList,
+                  .max = 10'000,
+                  .fallback = "[]",
+                  .text = "What agents must not enter."});
+  rows.push_back(
+      {.path = "world.obstacles[]", .type = KeyType::kMap, .text = "One obstacle: exactly one shape."});
+  add_shape_rows(rows, "world.obstacles[]", ShapeSet::kObstacle);
+  rows.push_back({.path = "world.goals",
+                  .type = KeyType::kNamedMap,
+                  .required = true,
+                  .text = "The places swarms fly to, by name."});
+  rows.push_back({.path = "world.goals.*", .type = KeyType::kMap, .text = "One goal: exactly one shape."});
+  add_shape_rows(rows, "world.goals.*", ShapeSet::kGoal);
+  add_brush_rows(rows);
+}
+
+void add_stimulus_rows(std::vector<Key>& rows) {
+  const std::string at = "stimuli[]";
+  const std::string lamp = at + ".lamp";
+  rows.push_back({.path = "stimuli",
+                  .type = KeyType::kList,
+                  .max = 1000,
+                  .fallback = "[]",
+                  .text = "What single agents answer to."});
+  rows.push_back({.path = at, .type = KeyType::kMap, .text = "One stimulus: exactly one kind."});
+  rows.push_back({.path = lamp,
+                  .type = KeyType::kMap,
+                  .group = "stimulus",
+                  .text = "A light: now and then an agent flies straight at it (Wang14 §6)."});
+  rows.push_back(
+      {.path = lamp + ".name", .type = KeyType::kName, .required = true, .text = "What `expect` calls it."});
+  rows.push_back({.path = lamp + ".position",
+                  .type = KeyType::kVector,
+                  .unit = "m",
+                  .min = -kFarthest,
+                  .max = kFarthest,
+                  .required = true,
+                  .text = "Where it hangs."});
+  rows.push_back({.path = lamp + ".reach",
+                  .type = KeyType::kNumber,
+                  .unit = "m",
+                  .min = 0.0,
+                  .max = 2.0 * kFarthest,
+                  .above_min = true,
+                  .required = true,
+                  .text = "How far it is seen."});
+  rows.push_back({.path = lamp + ".speed",
+                  .type = KeyType::kNumber,
+                  .unit = "m/s",
+                  .min = 0.0,
+                  .max = 1000.0,
+                  .above_min = true,
+                  .required = true,
+                  .text = "The velocity toward it, on top of all others."});
+  rows.push_back({.path = lamp + ".probability",
+                  .type = KeyType::kNumber,
+                  .min = 0.0,
+                  .max = 1.0,
+                  .required = true,
+                  .text = "That an agent which sees it answers, at one tick."});
+  for (const std::string kind : {"predator", "mate"}) {
+    rows.push_back({.path = at + "." + kind,
+                    .type = KeyType::kMap,
+                    .group = "stimulus",
+                    .available = false,
+                    .text = kind == "mate" ? "Another agent." : "A hunter."});
+  }
+  add_swarm_of_row(rows, at);
+}
+
+}  // namespace mayfly
