@@ -14,7 +14,7 @@ namespace mayfly {
 struct FieldInputs {
   double time_s = 0.0;                 // s since the flight began: when the agents were looked at
   double from_s = 0.0, until_s = 0.0;  // when the fields will be flown by
-  std::vector<float> x, y, z;          // m, one an agent; not a number: nobody knows
+  std::vector<float> x{}, y{}, z{};    // m, one an agent; not a number: nobody knows
 };
 
 // One set of all that is solved again. Written by one thread at a time, and swapped in whole.
