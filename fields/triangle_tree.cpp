@@ -3,14 +3,24 @@
 #include <algorithm>
 #include <glm/geometric.hpp>
 #include <numeric>
+#include <utility>
 
 #include "fields/double8.hpp"
+#include "fields/oriented_box.hpp"
 #include "fields/scan_lines.hpp"
 
 namespace mayfly::fields {
 namespace {
 
 constexpr std::size_t kLeafTriangles = 4;
+// A box's link holds the count of a leaf's triangles in its lowest bits.
+constexpr std::uint32_t kCountBits = 3;
+constexpr std::uint32_t kCountMask = (1U << kCountBits) - 1;
+static_assert(kLeafTriangles <= kCountMask && kMaxMeshTriangles < (1U << (32 - kCountBits)));
+// Of the tree's diagonal: many times what floats of its size round away.
+constexpr float kBoxSlack = 2e-6F;
+// What is left of a bound when it becomes a float.
+constexpr float kNarrowing = 1.0F + 1e-6F;
 // Halving 2³² triangles ends after 32 levels.
 constexpr std::size_t kStack = 40;
 
@@ -125,9 +135,39 @@ TriangleTree::TriangleTree(const TriangleMesh& mesh) {
   bounds_ = bounds_of(order, triangles);
   nodes_.reserve(triangles.size());
   build(order, triangles, 0);
+  corners_.reserve(order.size());
+  frames_.reserve(order.size());
   for (const std::uint32_t t : order) {
     corners_.push_back(triangles[t]);
     frames_.push_back(make_frame(triangles[t]));
+  }
+  middle_ = 0.5 * (glm::dvec3(bounds_.min) + glm::dvec3(bounds_.max));
+  fit_boxes();
+}
+
+TriangleTree::TriangleTree(TriangleTree&&) noexcept = default;
+TriangleTree& TriangleTree::operator=(TriangleTree&&) noexcept = default;
+TriangleTree::~TriangleTree() = default;
+
+// Children come after their parents, so backwards every node knows where its triangles begin and end.
+void TriangleTree::fit_boxes() {
+  std::vector<glm::vec3> corners;
+  corners.reserve(3 * corners_.size());
+  for (const Corners& triangle : corners_) {
+    for (const glm::vec3& corner : triangle) {
+      corners.emplace_back(glm::dvec3(corner) - middle_);
+    }
+  }
+  const float slack = kBoxSlack * glm::length(bounds_.max - bounds_.min);
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> triangles(nodes_.size());
+  boxes_.resize(nodes_.size());
+  for (std::size_t n = nodes_.size(); n-- > 0;) {
+    const Node& node = nodes_[n];
+    triangles[n] = node.count > 0 ? std::pair{node.next, node.next + node.count}
+                                  : std::pair{triangles[n + 1].first, triangles[node.next].second};
+    const auto [first, end] = triangles[n];
+    boxes_[n] = box_around(std::span(corners).subspan(3 * first, 3 * (end - first)), slack);
+    boxes_[n].link = node.count > 0 ? node.next << kCountBits | node.count : node.next << kCountBits;
   }
 }
 
@@ -154,17 +194,6 @@ void TriangleTree::build(std::span<std::uint32_t> order, std::span<const Corners
 }
 
 template <class T>
-T TriangleTree::box_distance_squared(const Node& node, const std::array<T, 3>& point) noexcept {
-  T sum = splat<T>(0.0);
-  for (int axis = 0; axis < 3; ++axis) {
-    const T& at = point[static_cast<std::size_t>(axis)];
-    const T off = at - clamp(at, static_cast<double>(node.min[axis]), static_cast<double>(node.max[axis]));
-    sum = sum + off * off;
-  }
-  return sum;
-}
-
-template <class T>
 void TriangleTree::try_triangle(std::uint32_t triangle, const std::array<T, 3>& point, T& best_squared,
                                 std::uint32_t& hint) const noexcept {
   const T squared = triangle_distance_squared(frames_[triangle], point);
@@ -177,32 +206,39 @@ void TriangleTree::try_triangle(std::uint32_t triangle, const std::array<T, 3>& 
 template <class T>
 void TriangleTree::nearest(const std::array<T, 3>& point, T& best_squared,
                            std::uint32_t& hint) const noexcept {
+  using L = typename Narrow<T>::Type;
   struct Pending {
-    std::uint32_t node;
-    T squared;
+    std::uint32_t box;
+    L squared;
   };
+  const std::array<L, 3> from_middle{narrow(point[0] - middle_.x), narrow(point[1] - middle_.y),
+                                     narrow(point[2] - middle_.z)};
   // Filling it would cost more than a search. NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init)
   std::array<Pending, kStack> stack;
   std::size_t depth = 0;
-  stack[depth++] = {0, box_distance_squared(nodes_[0], point)};
-  if (hint != kNoHint && any(stack[0].squared < best_squared)) {
+  stack[depth++] = {0, least_distance_squared(boxes_[0], from_middle)};
+  L limit = narrow(best_squared) * kNarrowing;
+  if (hint != kNoHint && any_below(stack[0].squared, limit)) {
     try_triangle(hint, point, best_squared, hint);
+    limit = narrow(best_squared) * kNarrowing;
   }
   while (depth > 0) {
     const Pending top = stack[--depth];
-    if (!any(top.squared < best_squared)) {
+    if (!any_below(top.squared, limit)) {
       continue;
     }
-    const Node& node = nodes_[top.node];
-    for (std::uint32_t i = 0; i < node.count; ++i) {
-      try_triangle(node.next + i, point, best_squared, hint);
-    }
-    if (node.count > 0) {
+    const std::uint32_t link = boxes_[top.box].link;
+    if (const std::uint32_t count = link & kCountMask; count > 0) {
+      for (std::uint32_t i = 0; i < count; ++i) {
+        try_triangle((link >> kCountBits) + i, point, best_squared, hint);
+      }
+      limit = narrow(best_squared) * kNarrowing;
       continue;
     }
-    const Pending left{top.node + 1, box_distance_squared(nodes_[top.node + 1], point)};
-    const Pending right{node.next, box_distance_squared(nodes_[node.next], point)};
-    const bool left_first = representative(left.squared) <= representative(right.squared);
+    const std::uint32_t second = link >> kCountBits;
+    const Pending left{top.box + 1, least_distance_squared(boxes_[top.box + 1], from_middle)};
+    const Pending right{second, least_distance_squared(boxes_[second], from_middle)};
+    const bool left_first = first_lane(left.squared) <= first_lane(right.squared);
     stack[depth++] = left_first ? right : left;
     stack[depth++] = left_first ? left : right;
   }

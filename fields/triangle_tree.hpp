@@ -12,7 +12,7 @@
 
 namespace mayfly::fields {
 
-struct Double8;
+struct OrientedBox;
 
 // One triangle in its own frame: the longest side runs from the origin along +x, the apex lies above it, z is
 // the normal. Distances in an orthonormal frame stay exact however thin the triangle is.
@@ -32,6 +32,9 @@ class TriangleTree {
 
   // At least one triangle.
   explicit TriangleTree(const TriangleMesh& mesh);
+  TriangleTree(TriangleTree&&) noexcept;
+  TriangleTree& operator=(TriangleTree&&) noexcept;
+  ~TriangleTree();
 
   // Lowers `best_squared` (m²) to the squared distance from `point` to the nearest triangle, where that is
   // less. T is double, or Double8 for eight points near each other. `hint` is a triangle likely to be near,
@@ -55,15 +58,16 @@ class TriangleTree {
   };
 
   void build(std::span<std::uint32_t> order, std::span<const Corners> triangles, std::uint32_t first);
-  template <class T>
-  static T box_distance_squared(const Node& node, const std::array<T, 3>& point) noexcept;
+  void fit_boxes();
   template <class T>
   void try_triangle(std::uint32_t triangle, const std::array<T, 3>& point, T& best_squared,
                     std::uint32_t& hint) const noexcept;
 
   Box bounds_;
+  glm::dvec3 middle_{0.0};  // what boxes are relative to
   std::vector<Node> nodes_;
-  std::vector<Corners> corners_;  // in the order of the leaves
+  std::vector<OrientedBox> boxes_;  // one a node
+  std::vector<Corners> corners_;    // in the order of the leaves
   std::vector<TriangleFrame> frames_;
 };
 
