@@ -216,31 +216,36 @@ void TriangleTree::nearest(const std::array<T, 3>& point, T& best_squared,
   // Filling it would cost more than a search. NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init)
   std::array<Pending, kStack> stack;
   std::size_t depth = 0;
-  stack[depth++] = {0, least_distance_squared(boxes_[0], from_middle)};
   L limit = narrow(best_squared) * kNarrowing;
-  if (hint != kNoHint && any_below(stack[0].squared, limit)) {
+  Pending at{0, least_distance_squared(boxes_[0], from_middle)};
+  if (hint != kNoHint && any_below(at.squared, limit)) {
     try_triangle(hint, point, best_squared, hint);
     limit = narrow(best_squared) * kNarrowing;
   }
-  while (depth > 0) {
-    const Pending top = stack[--depth];
-    if (!any_below(top.squared, limit)) {
-      continue;
-    }
-    const std::uint32_t link = boxes_[top.box].link;
-    if (const std::uint32_t count = link & kCountMask; count > 0) {
+  for (;;) {
+    if (any_below(at.squared, limit)) {
+      const std::uint32_t link = boxes_[at.box].link;
+      const std::uint32_t count = link & kCountMask;
+      const std::uint32_t next = link >> kCountBits;
+      if (count == 0) {
+        const Pending left{at.box + 1, least_distance_squared(boxes_[at.box + 1], from_middle)};
+        const Pending right{next, least_distance_squared(boxes_[next], from_middle)};
+        const bool left_first = first_lane(left.squared) <= first_lane(right.squared);
+        if (const Pending& later = left_first ? right : left; any_below(later.squared, limit)) {
+          stack[depth++] = later;
+        }
+        at = left_first ? left : right;
+        continue;
+      }
       for (std::uint32_t i = 0; i < count; ++i) {
-        try_triangle((link >> kCountBits) + i, point, best_squared, hint);
+        try_triangle(next + i, point, best_squared, hint);
       }
       limit = narrow(best_squared) * kNarrowing;
-      continue;
     }
-    const std::uint32_t second = link >> kCountBits;
-    const Pending left{top.box + 1, least_distance_squared(boxes_[top.box + 1], from_middle)};
-    const Pending right{second, least_distance_squared(boxes_[second], from_middle)};
-    const bool left_first = first_lane(left.squared) <= first_lane(right.squared);
-    stack[depth++] = left_first ? right : left;
-    stack[depth++] = left_first ? left : right;
+    if (depth == 0) {
+      return;
+    }
+    at = stack[--depth];
   }
 }
 
