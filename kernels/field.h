@@ -31,6 +31,14 @@ typedef struct {
   MfPull pull[MF_MAX_PULLS];
 } MfField;
 
+// The tables that a swarm flies by.
+typedef struct {
+  const MF_GLOBAL float* walls;                     // spline coefficients of φ (m) on field->grid
+  const MF_GLOBAL float* guide;                     // 4 floats a cell of it
+  const MF_GLOBAL float *rest_x, *rest_y, *rest_z;  // m, one an agent of the swarm: its place in the goal
+  const MF_GLOBAL int* permutation;                 // Perlin's
+} MfTables;
+
 // From the centre of the fence, which moves with the goal, to r.
 MF_FN F3 mf_from_fence(F3 r, const MfField* field) {
   const MfFence* fence = &field->fence;
@@ -40,23 +48,29 @@ MF_FN F3 mf_from_fence(F3 r, const MfField* field) {
 // V_g = −∇C/|∇C| · s0 (Wang14 Eq. 8). The guide holds a unit direction and C/A (m; inside the goal minus the
 // depth) in each cell. Inside its goal an agent turns to its own place there and slows down towards it: a
 // swarm fills its goal instead of piling up on its face, and does not oscillate through it. One that roams is
-// led into its goal and no further: there the noise alone moves it.
-MF_FN F3 mf_global_velocity(F3 r, F3 rest, const MfCube* cube, const MF_GLOBAL float* guide,
-                            const MfField* field) {
-  const F3 down =
-      mf3_unit(mf3(mf_sample(guide, cube, 4, 0), mf_sample(guide, cube, 4, 1), mf_sample(guide, cube, 4, 2)));
+// led into its goal and no further: there the noise alone moves it. `agent` is its index in the swarm.
+MF_FN F3 mf_global_velocity(F3 r, I agent, const MfCube* cube, const MfField* field, const MfTables* tables) {
+  F guide[4];
+  mf_sample4(tables->guide, cube, guide);
+  const F3 down = mf3_unit(mf3(guide[0], guide[1], guide[2]));
+  const F3 cruise = mf3_scale(down, mf_splat(field->cruise_speed));
   if (field->fence.kind != MF_FENCE_NONE) {
     // All at once: a field that fades below the border would hold noise back, and gather agents where it
     // does.
     const I outside = mf_fence_depth(mf_from_fence(r, field), &field->fence) < mf_splat(0.0f);
-    return mf3_scale(down, mf_select(outside, mf_splat(field->cruise_speed), mf_splat(0.0f)));
+    return mf3_select(outside, cruise, mf3_splat(0.0f, 0.0f, 0.0f));
   }
-  const F depth = -mf_sample(guide, cube, 4, 3);
-  const F inside = mf_ramp(depth * (1.0f / field->goal_margin));
-  const F3 home = mf3_sub(rest, r);
+  const F inside = mf_ramp(-guide[3] * (1.0f / field->goal_margin));
+  const I arrived = inside > mf_splat(0.0f);
+  if (!mf_any(arrived)) return cruise;
+  const F3 rest = mf3(mf_gather(tables->rest_x, agent), mf_gather(tables->rest_y, agent),
+                      mf_gather(tables->rest_z, agent));
+  const F3 place = mf3_add(rest, mf3_splat(field->goal_x, field->goal_y, field->goal_z));
+  const F3 home = mf3_sub(place, r);
   const F3 direction = mf3_unit(mf3_add(mf3_scale(down, 1.0f - inside), mf3_scale(mf3_unit(home), inside)));
   const F slowed = mf_ramp(mf3_length(home) * (1.0f / field->slow_down));
-  return mf3_scale(direction, field->cruise_speed * (1.0f - inside * (1.0f - slowed)));
+  const F speed = field->cruise_speed * (1.0f - inside * (1.0f - slowed));
+  return mf3_select(arrived, mf3_scale(direction, speed), cruise);
 }
 
 // Limits the speed at which v approaches a wall to approach_rate × clearance, and leads out of the body's own
@@ -79,72 +93,87 @@ MF_FN F3 mf_guard_bounds(F3 v, F3 r, const MfField* field) {
              mf_min(mf_max(v.z, least.z), most.z));
 }
 
+// Where a wall may be felt. The coefficient of the nearest cell tells of most agents that none is near: it
+// differs from the interpolated one by little more than the way between them, 0.87 cells at the most.
+MF_FN I mf_near_wall(const MfCube* cube, const MfField* field, const MF_GLOBAL float* walls) {
+  const F nearest = mf_gather(walls, mf_nearest_corner(cube));
+  const I perhaps = nearest < mf_splat(field->wall_reach + 1.25f * field->grid.cell);
+  if (!mf_any(perhaps)) return perhaps;
+  return perhaps & (mf_sample(walls, cube) < mf_splat(field->wall_reach));
+}
+
 // The guard alone, for velocities that were changed after the model gave them.
 MF_FN F3 mf_field_guard(F3 r, F3 v, const MfField* field, const MF_GLOBAL float* walls) {
   const F3 inside = mf_guard_bounds(v, r, field);
   if (!field->has_walls) return inside;
   const MfCube cube = mf_cube(r, &field->grid);
-  const I near_wall = mf_sample(walls, &cube, 1, 0) < mf_splat(field->wall_reach);
+  const I near_wall = mf_near_wall(&cube, field, walls);
   if (!mf_any(near_wall)) return inside;
   const MfSurface surface = mf_surface(r, walls, &field->grid);
   return mf3_select(near_wall, mf_guard_wall(inside, &surface, field), inside);
 }
 
-// Guided velocity and pulls: all that a wall only guards, and does not bend.
-MF_FN F3 mf_steady_velocity(F3 r, F3 rest, I id, const MfCube* cube, const MfField* field,
-                            const MfMoment* moment, const MF_GLOBAL float* guide) {
-  F3 v = mf_global_velocity(r, rest, cube, guide, field);
+// Guided velocity, pulls and the noises that do not know of walls: all that a wall only guards, and does not
+// bend.
+MF_FN F3 mf_steady_velocity(F3 r, I id, I agent, const MfCube* cube, const MfField* field,
+                            const MfMoment* moment, const MfTables* tables) {
+  F3 v = mf_global_velocity(r, agent, cube, field, tables);
   for (int k = 0; k < field->pulls; ++k) {
     v = mf3_add(v, mf_pull(r, id, &field->pull[k], moment, MF_STREAM_PULL + (uint)k));
+  }
+  if (field->has_noise && field->noise.kind != MF_NOISE_CURL) {
+    v = mf3_add(v, mf_other_noise(r, id, &field->noise, moment, tables->permutation));
   }
   return v;
 }
 
-// Curl noise at r, which leads no agent that roams out of its goal. `depth` (m) below the goal's border is
-// told for whoever must choose between that border and a wall; far from either, and without a fence, it is
-// large.
-MF_FN F3 mf_free_noise(F3 r, const MfField* field, const MfMoment* moment, const MF_GLOBAL int* table,
-                       F* depth) {
-  const F3 noise = mf_curl_noise_at(r, &field->noise, moment, table);
-  *depth = mf_splat(1e9f);
-  if (field->fence.kind == MF_FENCE_NONE) return noise;
+// Curl noise at r that leads no agent into a wall, nor one that roams out of its goal: of the two, whichever
+// is nearer bends it. `surface` is read where any agent is near a wall.
+MF_FN F3 mf_bent_noise(F3 r, I near_wall, const MfSurface* surface, const MfField* field,
+                       const MfMoment* moment, const MF_GLOBAL int* permutation) {
+  if (!field->has_noise || field->noise.kind != MF_NOISE_CURL) return mf3_splat(0.0f, 0.0f, 0.0f);
+  const int fenced = field->fence.kind != MF_FENCE_NONE;
   const F3 line = mf_from_fence(r, field);
-  const F below = mf_fence_depth(line, &field->fence);
-  const I at_border = (below >= mf_splat(0.0f)) & (below < mf_splat(field->boundary));
-  if (!mf_any(at_border)) return noise;
-  *depth = mf_select(at_border, below, *depth);
-  const MfJet potential = mf_potential_at(r, &field->noise, moment, table);
-  return mf3_select(at_border, mf_fenced_curl(&potential, line, &field->fence, field->boundary), noise);
+  F depth = mf_splat(1e9f);
+  I at_border = mf_isplat(0);
+  if (fenced) {
+    const F below = mf_fence_depth(line, &field->fence);
+    at_border = (below >= mf_splat(0.0f)) & (below < mf_splat(field->boundary));
+    depth = mf_select(at_border, below, depth);
+  }
+  if (!mf_any(near_wall | at_border)) return mf_curl_noise_at(r, &field->noise, moment, permutation);
+  const MfJet potential = mf_potential_at(r, &field->noise, moment, permutation);
+  F3 noise = mf_curl(potential);
+  if (fenced) {
+    const F3 inside = mf_fenced_curl(&potential, line, &field->fence, field->boundary);
+    noise = mf3_select(at_border, inside, noise);
+  }
+  if (!mf_any(near_wall)) return noise;
+  const F3 outside = mf_bounded_curl(&potential, surface, field->boundary);
+  return mf3_select(near_wall & (surface->value < depth), outside, noise);
 }
 
-// The preferred velocity of eight agents at r (m), whose numbers in the whole flight are `id`. walls: spline
-// coefficients of φ (m), guide: 4 floats a cell, both on field->grid; table: Perlin's permutation. The
-// coefficients themselves, interpolated, tell well enough whether a wall is anywhere near.
-MF_FN F3 mf_field_velocity(F3 r, F3 rest, I id, const MfField* field, const MfMoment* moment,
-                           const MF_GLOBAL float* walls, const MF_GLOBAL float* guide,
-                           const MF_GLOBAL int* table) {
+// Eight agents of a swarm, named one after the other in `order`; beyond `lanes` the first of them again.
+MF_FN I mf_swarm_agents(const MF_GLOBAL int* order, int lanes) {
+  const I id = mf_iload(order);
+  return mf_iselect(mf_lane_index() < mf_isplat(lanes), id, mf_isplat(order[0]));
+}
+
+// The preferred velocity of eight agents at r (m), whose numbers in the whole flight are `id` and in their
+// swarm `agent`.
+MF_FN F3 mf_field_velocity(F3 r, I id, I agent, const MfField* field, const MfMoment* moment,
+                           const MfTables* tables) {
   const MfCube cube = mf_cube(r, &field->grid);
-  const F3 place = mf3_add(rest, mf3_splat(field->goal_x, field->goal_y, field->goal_z));
-  F3 steady = mf_steady_velocity(r, place, id, &cube, field, moment, guide);
-  F3 noise = mf3_splat(0.0f, 0.0f, 0.0f);
-  F depth = mf_splat(0.0f);
-  const int curls = field->has_noise && field->noise.kind == MF_NOISE_CURL;
-  if (curls) {
-    noise = mf_free_noise(r, field, moment, table, &depth);
-  } else if (field->has_noise) {
-    steady = mf3_add(steady, mf_other_noise(r, id, &field->noise, moment, table));
+  const F3 steady = mf_steady_velocity(r, id, agent, &cube, field, moment, tables);
+  const I near_wall = field->has_walls ? mf_near_wall(&cube, field, tables->walls) : mf_isplat(0);
+  if (!mf_any(near_wall)) {
+    const F3 noise = mf_bent_noise(r, near_wall, 0, field, moment, tables->permutation);
+    return mf_guard_bounds(mf3_add(noise, steady), r, field);
   }
-  F3 v = mf_guard_bounds(mf3_add(noise, steady), r, field);
-  if (!field->has_walls) return v;
-  const I near_wall = mf_sample(walls, &cube, 1, 0) < mf_splat(field->wall_reach);
-  if (!mf_any(near_wall)) return v;
-  const MfSurface surface = mf_surface(r, walls, &field->grid);
-  if (curls) {
-    const MfJet potential = mf_potential_at(r, &field->noise, moment, table);
-    noise = mf3_select(surface.value < depth, mf_bounded_curl(&potential, &surface, field->boundary), noise);
-  }
-  return mf3_select(near_wall,
-                    mf_guard_wall(mf_guard_bounds(mf3_add(noise, steady), r, field), &surface, field), v);
+  const MfSurface surface = mf_surface(r, tables->walls, &field->grid);
+  const F3 noise = mf_bent_noise(r, near_wall, &surface, field, moment, tables->permutation);
+  const F3 v = mf_guard_bounds(mf3_add(noise, steady), r, field);
+  return mf3_select(near_wall, mf_guard_wall(v, &surface, field), v);
 }
 
 MF_END

@@ -33,39 +33,37 @@ MF_FN I mf_clamp_index(I i, int count) {
   return mf_imin(mf_imax(i, mf_isplat(0)), mf_isplat(count - 1));
 }
 
+// The eight cells around a point: corner k is `base` plus whichever of the steps its bits name, x first.
 typedef struct {
-  I corner[8];  // indices of the eight cells around, x fastest
+  I base;
+  int step_x, step_y, step_z;  // the same in every lane; 0 along an axis with one cell only
+  F3 t;                        // from the lowest corner, in cells: 0 … 1
   F weight[8];
 } MfCube;
 
+// At the upper border the cube ends at the last cell, so that all its corners are in the table.
+MF_FN I mf_low_corner(F u, int count) {
+  return mf_imin(mf_floor(u), mf_isplat(count > 1 ? count - 2 : 0));
+}
+
 MF_FN MfCube mf_cube(F3 r, const MfGrid* g) {
   const F3 u = mf_cell_coordinates(r, g);
-  const I ix = mf_floor(u.x);
-  const I iy = mf_floor(u.y);
-  const I iz = mf_floor(u.z);
+  const I ix = mf_low_corner(u.x, g->nx);
+  const I iy = mf_low_corner(u.y, g->ny);
+  const I iz = mf_low_corner(u.z, g->nz);
   const F tx = u.x - mf_to_float(ix);
   const F ty = u.y - mf_to_float(iy);
   const F tz = u.z - mf_to_float(iz);
-  const I x1 = mf_clamp_index(ix + 1, g->nx);
-  const I row00 = (iz * g->ny + iy) * g->nx;
-  const I y1 = mf_clamp_index(iy + 1, g->ny);
-  const I z1 = mf_clamp_index(iz + 1, g->nz);
-  const I row10 = (iz * g->ny + y1) * g->nx;
-  const I row01 = (z1 * g->ny + iy) * g->nx;
-  const I row11 = (z1 * g->ny + y1) * g->nx;
   const F w00 = (1.0f - ty) * (1.0f - tz);
   const F w10 = ty * (1.0f - tz);
   const F w01 = (1.0f - ty) * tz;
   const F w11 = ty * tz;
   MfCube c;
-  c.corner[0] = row00 + ix;
-  c.corner[1] = row00 + x1;
-  c.corner[2] = row10 + ix;
-  c.corner[3] = row10 + x1;
-  c.corner[4] = row01 + ix;
-  c.corner[5] = row01 + x1;
-  c.corner[6] = row11 + ix;
-  c.corner[7] = row11 + x1;
+  c.base = (iz * g->ny + iy) * g->nx + ix;
+  c.step_x = g->nx > 1 ? 1 : 0;
+  c.step_y = g->ny > 1 ? g->nx : 0;
+  c.step_z = g->nz > 1 ? g->nx * g->ny : 0;
+  c.t = mf3(tx, ty, tz);
   c.weight[0] = (1.0f - tx) * w00;
   c.weight[1] = tx * w00;
   c.weight[2] = (1.0f - tx) * w10;
@@ -77,13 +75,33 @@ MF_FN MfCube mf_cube(F3 r, const MfGrid* g) {
   return c;
 }
 
-// Trilinear interpolation of column `channel` of a table with `channels` floats a cell.
-MF_FN F mf_sample(const MF_GLOBAL float* table, const MfCube* c, int channels, int channel) {
+MF_FN int mf_corner_step(const MfCube* c, int corner) {
+  return (corner & 1) * c->step_x + ((corner >> 1) & 1) * c->step_y + (corner >> 2) * c->step_z;
+}
+
+// Index of the cell whose centre is nearest.
+MF_FN I mf_nearest_corner(const MfCube* c) {
+  const F middle = mf_splat(0.5f);
+  return c->base + ((c->t.x > middle) & c->step_x) + ((c->t.y > middle) & c->step_y) +
+         ((c->t.z > middle) & c->step_z);
+}
+
+// Trilinear interpolation of a table with one float a cell.
+MF_FN F mf_sample(const MF_GLOBAL float* table, const MfCube* c) {
   F sum = mf_splat(0.0f);
-  for (int k = 0; k < 8; ++k) {
-    sum += c->weight[k] * mf_gather(table, c->corner[k] * channels + channel);
-  }
+  for (int k = 0; k < 8; ++k) sum += c->weight[k] * mf_gather(table + mf_corner_step(c, k), c->base);
   return sum;
+}
+
+// The same of a table with four floats a cell, all four at once.
+MF_FN void mf_sample4(const MF_GLOBAL float* table, const MfCube* c, F sum[4]) {
+  for (int n = 0; n < 4; ++n) sum[n] = mf_splat(0.0f);
+  const I base = c->base * 4;
+  for (int k = 0; k < 8; ++k) {
+    F corner[4];
+    mf_gather4(table + 4 * mf_corner_step(c, k), base, corner);
+    for (int n = 0; n < 4; ++n) sum[n] += c->weight[k] * corner[n];
+  }
 }
 
 // Weights of the quadratic B-spline on three cells around t in [-½, ½], with derivatives by the cell

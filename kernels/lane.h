@@ -83,6 +83,35 @@ MF_FN F mf_gather(const MF_GLOBAL float* p, I i) {
 MF_FN I mf_igather(const MF_GLOBAL int* p, I i) {
   return (I)(p[i.s0], p[i.s1], p[i.s2], p[i.s3], p[i.s4], p[i.s5], p[i.s6], p[i.s7]);
 }
+// Four neighbouring floats for each lane, from p + i on.
+MF_FN void mf_gather4(const MF_GLOBAL float* p, I i, F out[4]) {
+  const float4 a = vload4(0, p + i.s0), b = vload4(0, p + i.s1), c = vload4(0, p + i.s2);
+  const float4 d = vload4(0, p + i.s3), e = vload4(0, p + i.s4), f = vload4(0, p + i.s5);
+  const float4 g = vload4(0, p + i.s6), h = vload4(0, p + i.s7);
+  out[0] = (F)(a.s0, b.s0, c.s0, d.s0, e.s0, f.s0, g.s0, h.s0);
+  out[1] = (F)(a.s1, b.s1, c.s1, d.s1, e.s1, f.s1, g.s1, h.s1);
+  out[2] = (F)(a.s2, b.s2, c.s2, d.s2, e.s2, f.s2, g.s2, h.s2);
+  out[3] = (F)(a.s3, b.s3, c.s3, d.s3, e.s3, f.s3, g.s3, h.s3);
+}
+// The first n lanes only.
+MF_FN void mf_scatter(MF_GLOBAL float* p, I i, F a, int n) {
+  const int at[MF_LANES] = {i.s0, i.s1, i.s2, i.s3, i.s4, i.s5, i.s6, i.s7};
+  const float v[MF_LANES] = {a.s0, a.s1, a.s2, a.s3, a.s4, a.s5, a.s6, a.s7};
+  for (int k = 0; k < n; ++k) p[at[k]] = v[k];
+}
+MF_FN void mf_unpack(I a, int out[MF_LANES]) {
+  vstore8(a, 0, out);
+}
+typedef long Long;  // 64 bits in both languages
+// Sum of the lanes in units of 2^-32: whole numbers, so that it does not depend on any order.
+MF_FN Long mf_sum_fixed(F a) {
+  const long8 n = convert_long8(a * 4294967296.0f);
+  return n.s0 + n.s1 + n.s2 + n.s3 + n.s4 + n.s5 + n.s6 + n.s7;
+}
+// Sets a byte that other work items may set as well.
+MF_FN void mf_mark(MF_GLOBAL uchar* p) {
+  *p = 1;
+}
 MF_FN I mf_lane_index(void) {
   return (I)(0, 1, 2, 3, 4, 5, 6, 7);
 }
@@ -107,7 +136,9 @@ MF_FN void mf_store_first(MF_GLOBAL float* p, F a, int n) {
 
 MF_BEGIN
 
+typedef unsigned char uchar;
 typedef unsigned int uint;
+typedef std::int64_t Long;
 typedef float F __attribute__((vector_size(4 * MF_LANES)));
 typedef int I __attribute__((vector_size(4 * MF_LANES)));
 typedef uint U __attribute__((vector_size(4 * MF_LANES)));
@@ -180,6 +211,37 @@ MF_FN F mf_gather(const float* p, I i) {
 }
 MF_FN I mf_igather(const int* p, I i) {
   return I{p[i[0]], p[i[1]], p[i[2]], p[i[3]], p[i[4]], p[i[5]], p[i[6]], p[i[7]]};
+}
+MF_FN void mf_gather4(const float* p, I i, F out[4]) {
+  typedef float Quad __attribute__((vector_size(16)));
+  Quad q[MF_LANES];
+  for (int k = 0; k < MF_LANES; ++k) std::memcpy(&q[k], p + i[k], sizeof(Quad));
+  const F a = __builtin_shufflevector(q[0], q[4], 0, 1, 2, 3, 4, 5, 6, 7);
+  const F b = __builtin_shufflevector(q[1], q[5], 0, 1, 2, 3, 4, 5, 6, 7);
+  const F c = __builtin_shufflevector(q[2], q[6], 0, 1, 2, 3, 4, 5, 6, 7);
+  const F d = __builtin_shufflevector(q[3], q[7], 0, 1, 2, 3, 4, 5, 6, 7);
+  const F ab_low = __builtin_shufflevector(a, b, 0, 8, 1, 9, 4, 12, 5, 13);
+  const F cd_low = __builtin_shufflevector(c, d, 0, 8, 1, 9, 4, 12, 5, 13);
+  const F ab_high = __builtin_shufflevector(a, b, 2, 10, 3, 11, 6, 14, 7, 15);
+  const F cd_high = __builtin_shufflevector(c, d, 2, 10, 3, 11, 6, 14, 7, 15);
+  out[0] = __builtin_shufflevector(ab_low, cd_low, 0, 1, 8, 9, 4, 5, 12, 13);
+  out[1] = __builtin_shufflevector(ab_low, cd_low, 2, 3, 10, 11, 6, 7, 14, 15);
+  out[2] = __builtin_shufflevector(ab_high, cd_high, 0, 1, 8, 9, 4, 5, 12, 13);
+  out[3] = __builtin_shufflevector(ab_high, cd_high, 2, 3, 10, 11, 6, 7, 14, 15);
+}
+MF_FN void mf_scatter(float* p, I i, F a, int n) {
+  for (int k = 0; k < n; ++k) p[i[k]] = a[k];
+}
+MF_FN void mf_unpack(I a, int out[MF_LANES]) {
+  std::memcpy(out, &a, sizeof a);
+}
+MF_FN Long mf_sum_fixed(F a) {
+  Long sum = 0;
+  for (int k = 0; k < MF_LANES; ++k) sum += static_cast<Long>(a[k] * 4294967296.0f);
+  return sum;
+}
+MF_FN void mf_mark(uchar* p) {
+  __atomic_store_n(p, uchar{1}, __ATOMIC_RELAXED);
 }
 MF_FN I mf_lane_index() {
   return I{0, 1, 2, 3, 4, 5, 6, 7};

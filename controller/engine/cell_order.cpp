@@ -1,28 +1,22 @@
 #include "controller/engine/cell_order.hpp"
 
 #include <algorithm>
+#include <atomic>
+#include <bit>
 #include <cmath>
 #include <limits>
-#include <utility>
 
 namespace mayfly {
 namespace {
 
-std::pair<float, float> extent(std::span<const float> column) {
-  float low = std::numeric_limits<float>::max();
-  float high = std::numeric_limits<float>::lowest();
-  for (const float value : column) {
-    if (std::isfinite(value)) {
-      low = std::min(low, value);
-      high = std::max(high, value);
-    }
-  }
-  return low <= high ? std::pair{low, high} : std::pair{0.0F, 0.0F};
-}
+using kernels::F;
+using kernels::F3;
 
-int cells_along(float length, float cell) {
-  constexpr float kMost = 1 << 20;
-  return static_cast<int>(std::min(length / cell, kMost)) + 1;
+constexpr std::size_t kChunk = 512;
+
+F3 place(const UnsortedAgents& agents, std::size_t a) {
+  return kernels::mf3(kernels::mf_load(&agents.x[a]), kernels::mf_load(&agents.y[a]),
+                      kernels::mf_load(&agents.z[a]));
 }
 
 }  // namespace
@@ -32,63 +26,133 @@ void CellOrder::reserve(std::size_t agents) {
   for (std::vector<float>* column : {&x_, &y_, &z_, &half_distance_}) {
     column->assign(padded, 0.0F);
   }
-  id_.assign(padded, -1);
-  cell_of_.assign(agents, 0);
-  start_.assign(most_cells(agents) + 1, 0);
+  for (std::vector<int>* column : {&id_, &cell_of_, &rank_}) {
+    column->assign(padded, 0);
+  }
+  start_.assign(most_starts(agents), 0);
+  extents_.assign(agents / kChunk + 1, {});
+  share_ = 1.0F;
 }
 
-void CellOrder::choose_cells(const PositionColumns& at, float least_cell) noexcept {
-  const auto [x0, x1] = extent(at.x);
-  const auto [y0, y1] = extent(at.y);
-  const auto [z0, z1] = extent(at.z);
-  const auto room = static_cast<std::int64_t>(most_cells(at.x.size()));
-  float cell = std::max(least_cell, 1e-3F);
-  for (;;) {
-    cells_.nx = cells_along(x1 - x0, cell);
-    cells_.ny = cells_along(y1 - y0, cell);
-    cells_.nz = cells_along(z1 - z0, cell);
-    // In steps, for the product of three may not fit into 64 bits.
-    const std::int64_t plane = std::int64_t{cells_.nx} * cells_.ny;
-    if (plane <= room && plane * cells_.nz <= room) {
+void CellOrder::sort(const UnsortedAgents& agents, const CellLimits& limits, ThreadTeam& team) noexcept {
+  choose_cells(extent(agents, limits, team), agents.count, limits.least_side);
+  std::fill_n(start_.begin(), cell_count() + 1, 0);
+  count(agents, team);
+  add_up(agents.count);
+  fill(agents, team);
+}
+
+CellOrder::Extent CellOrder::extent(const UnsortedAgents& agents, const CellLimits& limits,
+                                    ThreadTeam& team) noexcept {
+  constexpr float kInfinity = std::numeric_limits<float>::infinity();
+  const Extent nothing{{kInfinity, kInfinity, kInfinity}, {-kInfinity, -kInfinity, -kInfinity}};
+  const std::size_t chunks = agents.count / kChunk + 1;
+  std::fill_n(extents_.begin(), chunks, nothing);
+  team.for_ranges(agents.count, kChunk, [&](std::size_t first, std::size_t last) {
+    F low[3], high[3];
+    std::fill_n(low, 3, kernels::mf_splat(kInfinity));
+    std::fill_n(high, 3, kernels::mf_splat(-kInfinity));
+    for (std::size_t a = first; a < last; a += MF_LANES) {
+      const kernels::I counts = kernels::mf_lane_index() < kernels::mf_isplat(static_cast<int>(last - a));
+      const F3 r = place(agents, a);
+      const F axes[3] = {r.x, r.y, r.z};
+      for (int axis = 0; axis < 3; ++axis) {
+        // What is no number is smaller and greater than nothing.
+        low[axis] = kernels::mf_select(counts & (axes[axis] < low[axis]), axes[axis], low[axis]);
+        high[axis] = kernels::mf_select(counts & (axes[axis] > high[axis]), axes[axis], high[axis]);
+      }
+    }
+    Extent& own = extents_[first / kChunk];
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      for (int lane = 0; lane < MF_LANES; ++lane) {
+        own.low[axis] = std::min(own.low[axis], low[axis][lane]);
+        own.high[axis] = std::max(own.high[axis], high[axis][lane]);
+      }
+    }
+  });
+  Extent whole = nothing;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    for (std::size_t chunk = 0; chunk < chunks; ++chunk) {
+      whole.low[axis] = std::min(whole.low[axis], extents_[chunk].low[axis]);
+      whole.high[axis] = std::max(whole.high[axis], extents_[chunk].high[axis]);
+    }
+    whole.low[axis] = std::clamp(whole.low[axis], limits.low[axis], limits.high[axis]);
+    whole.high[axis] = std::clamp(whole.high[axis], limits.low[axis], limits.high[axis]);
+  }
+  return whole;
+}
+
+void CellOrder::choose_cells(const Extent& extent, std::size_t agents, float least_side) noexcept {
+  constexpr float kThinnest = 1e-3F;  // m
+  float side[3];
+  int bits[3] = {};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    side[axis] = std::max(share_ * (extent.high[axis] - extent.low[axis]), kThinnest);
+  }
+  for (int left = static_cast<int>(std::bit_width(agents / 2)) - 1; left > 0; --left) {
+    const auto longest = std::max_element(side, side + 3) - side;
+    if (side[longest] < 2.0F * least_side) {
       break;
     }
-    cell *= 1.25F;
+    side[longest] *= 0.5F;
+    ++bits[longest];
   }
-  cells_.origin_x = x0;
-  cells_.origin_y = y0;
-  cells_.origin_z = z0;
-  cells_.inverse_cell = 1.0F / cell;
+  cells_ = {extent.low[0],  extent.low[1], extent.low[2], 1.0F / side[0], 1.0F / side[1],
+            1.0F / side[2], bits[0],       bits[1],       bits[2]};
 }
 
-void CellOrder::sort(const PositionColumns& at, std::span<const float> half_distance,
-                     float least_cell) noexcept {
-  const std::size_t agents = at.x.size();
-  choose_cells(at, least_cell);
-  const std::size_t cells = static_cast<std::size_t>(cells_.nx) * static_cast<std::size_t>(cells_.ny) *
-                            static_cast<std::size_t>(cells_.nz);
-  std::fill_n(start_.begin(), cells + 1, 0);
-  for (std::size_t a = 0; a < agents; ++a) {
-    const int cx = kernels::mf_cell_of(at.x[a], cells_.origin_x, cells_.inverse_cell, cells_.nx);
-    const int cy = kernels::mf_cell_of(at.y[a], cells_.origin_y, cells_.inverse_cell, cells_.ny);
-    const int cz = kernels::mf_cell_of(at.z[a], cells_.origin_z, cells_.inverse_cell, cells_.nz);
-    cell_of_[a] = (cz * cells_.ny + cy) * cells_.nx + cx;
-    ++start_[static_cast<std::size_t>(cell_of_[a]) + 1];
-  }
+void CellOrder::count(const UnsortedAgents& agents, ThreadTeam& team) noexcept {
+  const bool alone = team.size() == 1;
+  team.for_ranges(agents.count, kChunk, [&](std::size_t first, std::size_t last) {
+    for (std::size_t a = first; a < last; a += MF_LANES) {
+      int cell[MF_LANES];
+      kernels::mf_unpack(kernels::mf_cell_index(place(agents, a), &cells_), cell);
+      const std::size_t lanes = std::min<std::size_t>(MF_LANES, last - a);
+      for (std::size_t k = 0; k < lanes; ++k) {
+        int& in_cell = start_[static_cast<std::size_t>(cell[k])];
+        cell_of_[a + k] = cell[k];
+        // A locked increment takes longer than all the rest of this loop.
+        rank_[a + k] = alone ? in_cell++ : std::atomic_ref(in_cell).fetch_add(1, std::memory_order_relaxed);
+      }
+    }
+  });
+}
+
+// From counts to the first agent of each cell. Judges the cells on the way: where agents have three times the
+// company that even spreading would give, the next cells are smaller.
+void CellOrder::add_up(std::size_t agents) noexcept {
+  const std::size_t cells = cell_count();
+  int before = 0;
+  std::int64_t pairs = 0;
   for (std::size_t c = 0; c < cells; ++c) {
-    start_[c + 1] += start_[c];
+    const int here = start_[c];
+    start_[c] = before;
+    before += here;
+    pairs += std::int64_t{here} * here;
   }
-  // Fill from the back of each cell's range, which leaves start_[c + 1] at the cell's first agent: shift by
-  // one below.
-  for (std::size_t a = agents; a-- > 0;) {
-    const auto sorted = static_cast<std::size_t>(--start_[static_cast<std::size_t>(cell_of_[a]) + 1]);
-    x_[sorted] = at.x[a];
-    y_[sorted] = at.y[a];
-    z_[sorted] = at.z[a];
-    half_distance_[sorted] = half_distance[a];
-    id_[sorted] = static_cast<int>(a);
+  start_[cells] = before;
+  const auto all = static_cast<double>(std::max<std::size_t>(agents, 1));
+  mean_company_ = static_cast<double>(pairs) / all;
+  const double crowding = mean_company_ / (1.0 + all / static_cast<double>(cells));
+  constexpr float kLeastShare = 1e-3F;
+  if (crowding > 3.0) {
+    share_ = std::max(share_ * 0.7F, kLeastShare);
+  } else if (crowding < 1.5) {
+    share_ = std::min(share_ * 1.1F, 1.0F);
   }
-  std::copy_n(start_.begin() + 1, cells, start_.begin());
-  start_[cells] = static_cast<int>(agents);
+}
+
+void CellOrder::fill(const UnsortedAgents& agents, ThreadTeam& team) noexcept {
+  team.for_ranges(agents.count, kChunk, [&](std::size_t first, std::size_t last) {
+    for (std::size_t a = first; a < last; ++a) {
+      const auto to = static_cast<std::size_t>(start_[static_cast<std::size_t>(cell_of_[a])] + rank_[a]);
+      x_[to] = agents.x[a];
+      y_[to] = agents.y[a];
+      z_[to] = agents.z[a];
+      half_distance_[to] = agents.half_distance[a];
+      id_[to] = agents.id[a];
+    }
+  });
 }
 
 }  // namespace mayfly

@@ -1,5 +1,5 @@
 // Minimum distance enforcement on the places where agents will be (Wang14 §6): the part that both engines
-// share.
+// share. It also keeps the order in which an engine best takes the agents: near in space, near in memory.
 #pragma once
 
 #include <cstddef>
@@ -8,40 +8,54 @@
 #include <vector>
 
 #include "controller/engine/cell_order.hpp"
+#include "controller/engine/displacements.hpp"
 #include "controller/engine/engine.hpp"
+#include "controller/engine/thread_team.hpp"
 
 namespace mayfly {
 
-// One sweep over all agents; each engine has its own way to run it.
-class DisplacementSweep {
+// The first sweep, over all agents; each engine has its own way to run it.
+class FirstSweep {
  public:
-  virtual ~DisplacementSweep() = default;
-  // Displacement of each agent, in the order of `order`: kernels/mde.h, mf_displacement.
-  virtual void displacements(const CellOrder& order, std::span<float> dx, std::span<float> dy,
-                             std::span<float> dz) noexcept = 0;
+  virtual ~FirstSweep() = default;
+  virtual void first_sweep(const CellOrder& order, SearchReach reach, Displacements& out) noexcept = 0;
 };
 
 class MinimumDistance {
  public:
   void prepare(std::span<const SwarmModel> swarms, std::size_t agents);
 
-  // Corrects `velocity` so that agents at `at` keep their distance after `period_s`. Returns how many were
-  // moved.
+  // The agents of each swarm at the swarm's own range of slots, in the order of space as of the last tick.
+  // Readable eight elements past the last.
+  std::span<const int> order() const { return slots_; }
+  // One a slot: where its agent will be after the period (m). An engine writes them before enforce().
+  VelocityColumns ahead() { return {ahead_x_, ahead_y_, ahead_z_}; }
+
+  // Corrects `velocity` so that agents at `at` keep their distance after `period_s`; both in the agents'
+  // order. Sweeps go on until nobody is too near or all are done. Returns how many agents were moved.
   std::size_t enforce(const PositionColumns& at, float period_s, const VelocityColumns& velocity,
-                      DisplacementSweep& sweep) noexcept;
+                      FirstSweep& first, ThreadTeam& team) noexcept;
 
  private:
-  bool sweep_once(DisplacementSweep& sweep) noexcept;
-  void correct(const PositionColumns& at, float period_s, const VelocityColumns& velocity) noexcept;
+  void take_order() noexcept;
+  bool apply(ThreadTeam& team) noexcept;
+  void correct(const PositionColumns& at, float period_s, const VelocityColumns& velocity,
+               ThreadTeam& team) noexcept;
 
   std::span<const SwarmModel> swarms_;
+  std::size_t agents_ = 0;
   int sweeps_ = 0;
-  float least_cell_ = 0.0F;  // m
+  CellLimits limits_{};
+  SearchReach reach_{};
+  float rounding_ = 0.0F;  // m: what a coordinate loses
   CellOrder order_;
-  std::vector<float> half_distance_;  // m, one an agent
-  std::vector<float> x_, y_, z_;      // where agents will be
-  std::vector<float> dx_, dy_, dz_;   // displacements in sorted order
-  std::vector<std::uint8_t> moved_;
+  std::vector<int> slots_;
+  std::vector<float> half_distance_;                // m, one a slot
+  std::vector<float> ahead_x_, ahead_y_, ahead_z_;  // m, one a slot
+  // From here on in sorted order.
+  Displacements displacements_;
+  std::vector<std::uint8_t> moved_, ever_moved_, marks_;
+  std::vector<float> farthest_move_;  // m, one a chunk
 };
 
 }  // namespace mayfly

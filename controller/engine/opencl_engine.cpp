@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <optional>
+#include <thread>
 
 #include "compute/buffer.hpp"
 #include "compute/program.hpp"
@@ -103,26 +104,31 @@ Result<SwarmTables> upload_tables(const Device& device, const SwarmModel& swarm)
 struct Flying {
   std::size_t agents;
   Columns3 at, velocity;       // in the agents' order
+  Columns3 ahead;              // one a slot
   Columns3 sorted, displaced;  // in the order of cells
   Buffer<float> half_distance;
-  Buffer<int> id, start, permutation;
+  Buffer<unsigned char> pushed;
+  Buffer<int> order, id, start, permutation;
   std::vector<SwarmTables> tables;
 };
 
 Result<Flying> make_flying(const Device& device, std::span<const SwarmModel> swarms, std::size_t agents) {
   const std::size_t padded = agents + MF_LANES;
-  std::array<Result<Columns3>, 4> columns{Columns3::create(device, padded), Columns3::create(device, padded),
-                                          Columns3::create(device, padded), Columns3::create(device, padded)};
+  std::array<Result<Columns3>, 5> columns{Columns3::create(device, padded), Columns3::create(device, padded),
+                                          Columns3::create(device, padded), Columns3::create(device, padded),
+                                          Columns3::create(device, padded)};
   for (auto& result : columns) {
     if (!result) {
       return fail(std::move(result.error()));
     }
   }
   auto half_distance = Buffer<float>::create(device, padded);
+  auto pushed = Buffer<unsigned char>::create(device, padded);
+  auto order = Buffer<int>::create(device, padded);
   auto id = Buffer<int>::create(device, padded);
-  auto start = Buffer<int>::create(device, CellOrder::most_cells(agents) + 1);
+  auto start = Buffer<int>::create(device, CellOrder::most_starts(agents));
   auto permutation = Buffer<int>::create_from(device, kPermutation);
-  if (!half_distance || !id || !start || !permutation) {
+  if (!half_distance || !pushed || !order || !id || !start || !permutation) {
     return fail(Cause::kEnvironment, "OpenCL: no memory for " + std::to_string(agents) + " agents");
   }
   std::vector<SwarmTables> tables;
@@ -138,17 +144,23 @@ Result<Flying> make_flying(const Device& device, std::span<const SwarmModel> swa
                 std::move(*columns[1]),
                 std::move(*columns[2]),
                 std::move(*columns[3]),
+                std::move(*columns[4]),
                 std::move(*half_distance),
+                std::move(*pushed),
+                std::move(*order),
                 std::move(*id),
                 std::move(*start),
                 std::move(*permutation),
                 std::move(tables)};
 }
 
-class OpenclEngine final : public Engine, private DisplacementSweep {
+class OpenclEngine final : public Engine, private FirstSweep {
  public:
   OpenclEngine(Device device, Kernel velocity, Kernel displacement)
-      : device_(std::move(device)), velocity_(std::move(velocity)), displacement_(std::move(displacement)) {}
+      : device_(std::move(device)),
+        velocity_(std::move(velocity)),
+        displacement_(std::move(displacement)),
+        team_(static_cast<int>(std::thread::hardware_concurrency())) {}
 
   std::string_view name() const noexcept override { return "opencl"; }
   std::string_view fault() const noexcept override { return fault_; }
@@ -187,7 +199,8 @@ class OpenclEngine final : public Engine, private DisplacementSweep {
         fault_ = compute::name_of(status);
       }
     }
-    const std::size_t moved = fault_.empty() ? minimum_distance_.enforce(at, tick.period_s, out, *this) : 0;
+    const std::size_t moved =
+        fault_.empty() ? minimum_distance_.enforce(at, tick.period_s, out, *this, team_) : 0;
     if (!fault_.empty()) {
       for (const std::span<float> column : {out.x, out.y, out.z}) {
         std::fill(column.begin(), column.end(), 0.0F);
@@ -199,18 +212,21 @@ class OpenclEngine final : public Engine, private DisplacementSweep {
  private:
   Status velocities(const PositionColumns& at, const TickTime& tick, const VelocityColumns& out) noexcept {
     Flying& f = *flying_;
-    if (const Status status = f.at.upload(at.x, at.y, at.z); !status.ok()) {
-      return status;
-    }
-    if (const Status status = f.velocity.unmap(); !status.ok()) {
-      return status;
+    const std::array<Status, 4> readied{f.at.upload(at.x, at.y, at.z),
+                                        upload(f.order, minimum_distance_.order()), f.velocity.unmap(),
+                                        f.ahead.unmap()};
+    for (const Status status : readied) {
+      if (!status.ok()) {
+        return status;
+      }
     }
     for (std::size_t s = 0; s < swarms_.size(); ++s) {
       const SwarmModel& swarm = swarms_[s];
       const SwarmTables& tables = f.tables[s];
       const Status set = velocity_.set(
-          f.at.x, f.at.y, f.at.z, tables.rest.x, tables.rest.y, tables.rest.z, f.velocity.x, f.velocity.y,
-          f.velocity.z, static_cast<int>(swarm.first), static_cast<int>(swarm.count), swarm.field,
+          f.at.x, f.at.y, f.at.z, f.order, tables.rest.x, tables.rest.y, tables.rest.z, f.velocity.x,
+          f.velocity.y, f.velocity.z, f.ahead.x, f.ahead.y, f.ahead.z, static_cast<int>(swarm.first),
+          static_cast<int>(swarm.count), tick.period_s, swarm.field,
           moment_of(swarm.field.noise, tick.number, tick.time_s), tables.walls, tables.guide, f.permutation);
       if (!set.ok()) {
         return set;
@@ -220,16 +236,17 @@ class OpenclEngine final : public Engine, private DisplacementSweep {
         return status;
       }
     }
-    return f.velocity.download(out.x, out.y, out.z);
+    if (const Status status = f.velocity.download(out.x, out.y, out.z); !status.ok()) {
+      return status;
+    }
+    const VelocityColumns ahead = minimum_distance_.ahead();
+    return f.ahead.download(ahead.x, ahead.y, ahead.z);
   }
 
-  void displacements(const CellOrder& order, std::span<float> dx, std::span<float> dy,
-                     std::span<float> dz) noexcept override {
-    if (const Status status = sweep(order, dx, dy, dz); !status.ok()) {
+  void first_sweep(const CellOrder& order, SearchReach reach, Displacements& out) noexcept override {
+    if (const Status status = sweep(order, reach, out); !status.ok()) {
       fault_ = compute::name_of(status);
-      for (const std::span<float> column : {dx, dy, dz}) {
-        std::fill(column.begin(), column.end(), 0.0F);
-      }
+      std::fill(out.pushed.begin(), out.pushed.end(), std::uint8_t{0});
     }
   }
 
@@ -246,31 +263,41 @@ class OpenclEngine final : public Engine, private DisplacementSweep {
     return from.empty() ? Status{} : upload(table, from);
   }
 
-  Status sweep(const CellOrder& order, std::span<float> dx, std::span<float> dy,
-               std::span<float> dz) noexcept {
+  Status sweep(const CellOrder& order, SearchReach reach, Displacements& out) noexcept {
     Flying& f = *flying_;
-    const std::array<Status, 6> uploads{
+    const std::array<Status, 7> readied{
         f.sorted.upload(order.x(), order.y(), order.z()),
         upload(f.half_distance, order.half_distance()),
         upload(f.id, order.id()),
-        upload(f.start, order.start()),
+        upload(f.start, order.start().first(order.cell_count() + 1)),
         f.displaced.unmap(),
+        f.pushed.unmap(),
         displacement_.set(order.cells(), f.start, f.sorted.x, f.sorted.y, f.sorted.z, f.half_distance, f.id,
-                          f.displaced.x, f.displaced.y, f.displaced.z, static_cast<int>(f.agents))};
-    for (const Status status : uploads) {
+                          reach.farthest, reach.slack, f.displaced.x, f.displaced.y, f.displaced.z, f.pushed,
+                          static_cast<int>(f.agents))};
+    for (const Status status : readied) {
       if (!status.ok()) {
         return status;
       }
     }
-    if (const Status status = displacement_.enqueue(whole_groups(f.agents), kGroup); !status.ok()) {
+    const std::size_t items = (f.agents + MF_LANES - 1) / MF_LANES;
+    if (const Status status = displacement_.enqueue(whole_groups(items), kGroup); !status.ok()) {
       return status;
     }
-    return f.displaced.download(dx, dy, dz);
+    if (const Status status = f.displaced.download(out.x, out.y, out.z); !status.ok()) {
+      return status;
+    }
+    if (const Status status = f.pushed.map(); !status.ok()) {
+      return status;
+    }
+    std::copy_n(f.pushed.data().begin(), f.agents, out.pushed.begin());
+    return {};
   }
 
   Device device_;
   Kernel velocity_;
   Kernel displacement_;
+  ThreadTeam team_;
   std::vector<SwarmModel> swarms_;
   std::optional<Flying> flying_;
   MinimumDistance minimum_distance_;

@@ -7,6 +7,7 @@ namespace {
 
 // About 20 µs: longer than the pause between two loops of one tick, shorter than a tick.
 constexpr int kSpins = 4000;
+constexpr std::size_t kChunksPerThread = 16;
 
 void relax() {
 #if defined(__x86_64__)
@@ -31,7 +32,7 @@ ThreadTeam::ThreadTeam(int threads) {
   const auto helpers = static_cast<std::size_t>(std::max(threads, 1) - 1);
   workers_.reserve(helpers);
   for (std::size_t worker = 0; worker < helpers; ++worker) {
-    workers_.emplace_back([this, worker] { serve(worker); });
+    workers_.emplace_back([this] { serve(); });
   }
 }
 
@@ -46,20 +47,23 @@ ThreadTeam::~ThreadTeam() {
 
 void ThreadTeam::run(std::size_t count, std::size_t grain, void* context, Call call) noexcept {
   count_ = count;
-  grain_ = grain;
+  // Large enough that taking one costs nothing, small enough that nobody waits long for the last.
+  const std::size_t fair = count / (kChunksPerThread * size());
+  chunk_ = std::max(grain, (fair + grain - 1) / grain * grain);
+  next_.store(0, std::memory_order_relaxed);
   context_ = context;
   call_ = call;
   busy_.store(static_cast<std::uint32_t>(workers_.size()), std::memory_order_relaxed);
   round_.fetch_add(1, std::memory_order_release);
   round_.notify_all();
-  do_share(workers_.size());
+  work();
   for (std::uint32_t left = busy_.load(std::memory_order_acquire); left != 0;
        left = busy_.load(std::memory_order_acquire)) {
     await_change(busy_, left);
   }
 }
 
-void ThreadTeam::serve(std::size_t worker) noexcept {
+void ThreadTeam::serve() noexcept {
   std::uint32_t seen = 0;
   for (;;) {
     await_change(round_, seen);
@@ -67,20 +71,20 @@ void ThreadTeam::serve(std::size_t worker) noexcept {
     if (ending_.load(std::memory_order_relaxed)) {
       return;
     }
-    do_share(worker);
+    work();
     if (busy_.fetch_sub(1, std::memory_order_release) == 1) {
       busy_.notify_all();
     }
   }
 }
 
-void ThreadTeam::do_share(std::size_t share) const noexcept {
-  const std::size_t shares = workers_.size() + 1;
-  const std::size_t grains = (count_ + grain_ - 1) / grain_;
-  const std::size_t first = std::min(count_, grains * share / shares * grain_);
-  const std::size_t last = std::min(count_, grains * (share + 1) / shares * grain_);
-  if (first < last) {
-    call_(context_, first, last);
+void ThreadTeam::work() noexcept {
+  for (;;) {
+    const std::size_t first = next_.fetch_add(chunk_, std::memory_order_relaxed);
+    if (first >= count_) {
+      return;
+    }
+    call_(context_, first, std::min(first + chunk_, count_));
   }
 }
 

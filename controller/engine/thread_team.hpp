@@ -19,8 +19,10 @@ class ThreadTeam {
   ThreadTeam& operator=(const ThreadTeam&) = delete;
   ~ThreadTeam();
 
+  std::size_t size() const { return workers_.size() + 1; }
+
   // Calls body(first, last) on disjoint ranges that cover [0, count), cut at multiples of `grain`; returns
-  // when all are done. Not reentrant. The body must not throw.
+  // when all are done. Which thread takes which range is chance. Not reentrant. The body must not throw.
   template <class Body>
   void for_ranges(std::size_t count, std::size_t grain, Body&& body) noexcept {
     using Plain = std::remove_reference_t<Body>;
@@ -39,8 +41,8 @@ class ThreadTeam {
   using Call = void (*)(void* context, std::size_t first, std::size_t last);
 
   void run(std::size_t count, std::size_t grain, void* context, Call call) noexcept;
-  void serve(std::size_t worker) noexcept;
-  void do_share(std::size_t share) const noexcept;
+  void serve() noexcept;
+  void work() noexcept;
 
   std::vector<std::thread> workers_;
   std::atomic<std::uint32_t> round_{0};
@@ -48,7 +50,8 @@ class ThreadTeam {
   std::atomic<bool> ending_{false};
   // The loop of this round.
   std::size_t count_ = 0;
-  std::size_t grain_ = 1;
+  std::size_t chunk_ = 1;  // how much a thread takes at once
+  std::atomic<std::size_t> next_{0};
   void* context_ = nullptr;
   Call call_ = nullptr;
 };
