@@ -33,9 +33,9 @@ int main() {
   const std::vector<float> spline = fields::spline_coefficients(*grid, distance->distance);
   const kernels::MfSurface wall = kernels::mf_surface(p, spline.data(), &table);
   const kernels::MfCube cube = kernels::mf_cube(p, &table);
-  const auto guide = [&](int channel) {
-    return kernels::mf_sample(cost->guide.data(), &cube, 4, channel)[0];
-  };
+  kernels::F sampled[4];
+  kernels::mf_sample4(cost->guide.data(), &cube, sampled);
+  const auto guide = [&](int channel) { return sampled[channel][0]; };
 
   std::printf("at (5, 6, 5): %.3f m from the wall (exactly: %.3f m), which lies along (%.2f, %.2f, %.2f)\n",
               wall.value[0], solid->signed_distance({5, 6, 5}), -wall.gradient.x[0], -wall.gradient.y[0],
