@@ -37,6 +37,8 @@ std::optional<double> measured(const Expectation& expectation, const Summary& su
     case Quantity::kFaults:
       return static_cast<double>(summary.faults.size());
     case Quantity::kFieldAge:
+      return summary.fields && summary.fields->age_s ? std::optional(summary.fields->age_s->max)
+                                                     : std::nullopt;
     case Quantity::kWallClearance:
     case Quantity::kCentreDrift:
     case Quantity::kGoalDistance:

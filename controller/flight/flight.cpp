@@ -1,12 +1,25 @@
 #include "controller/flight/flight.hpp"
 
+#include <algorithm>
+#include <memory>
+#include <thread>
 #include <utility>
 
 #include "controller/executor/executor.hpp"
+#include "controller/flight/field_keeper.hpp"
 #include "controller/flight/flight_config.hpp"
 #include "controller/flight/flight_loop.hpp"
 
 namespace mayfly {
+namespace {
+
+// In real time one processor is left to the control loop.
+int solver_threads(bool is_virtual) {
+  const int cores = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  return is_virtual ? cores : std::max(1, cores - 1);
+}
+
+}  // namespace
 
 Result<Summary> fly(const FlightParts& parts) {
   Motion motion(parts.scenario);
@@ -22,7 +35,16 @@ Result<Summary> fly(const FlightParts& parts) {
                                     " robots, the scenario " + std::to_string(governor->agents()) +
                                     " agents");
   }
-  FlightLoop flight(parts, motion, std::move(*governor),
+  std::unique_ptr<FieldKeeper> keeper;
+  if (parts.world.solver != nullptr) {
+    auto started = FieldKeeper::start(parts.scenario, *parts.world.solver,
+                                      {parts.clock.is_virtual(), solver_threads(parts.clock.is_virtual())});
+    if (!started) {
+      return fail(std::move(started.error()));
+    }
+    keeper = std::move(*started);
+  }
+  FlightLoop flight(parts, motion, keeper.get(), std::move(*governor),
                     Metrics(metrics_config(parts.scenario, parts.world, motion)));
   Executor executor(parts.clock);
   auto added = executor.add_task("control", static_cast<double>(parts.scenario.control.rate),

@@ -25,9 +25,11 @@ std::vector<float> lead_times(const Scenario& scenario) {
 
 }  // namespace
 
-FlightLoop::FlightLoop(const FlightParts& parts, Motion& motion, Governor governor, Metrics metrics)
+FlightLoop::FlightLoop(const FlightParts& parts, Motion& motion, FieldKeeper* keeper, Governor governor,
+                       Metrics metrics)
     : parts_(parts),
       motion_(motion),
+      keeper_(keeper),
       agents_(parts.hal.robots().size()),
       period_(from_seconds(1.0 / static_cast<double>(parts.scenario.control.rate))),
       governor_(std::move(governor)),
@@ -38,7 +40,8 @@ FlightLoop::FlightLoop(const FlightParts& parts, Motion& motion, Governor govern
       ahead_(agents_),
       desired_(agents_),
       command_(agents_),
-      kind_(agents_, CommandKind::kHold) {}
+      kind_(agents_, CommandKind::kHold),
+      goal_sources_(parts.scenario.swarms.size()) {}
 
 void FlightLoop::tick() noexcept {
   const auto work_began = std::chrono::steady_clock::now();
@@ -51,6 +54,7 @@ void FlightLoop::tick() noexcept {
   note(hal_source_, now, parts_.hal.read(now, estimate_.inbox()));
   note_liar(now, estimate_.update());
   observe_truth();
+  renew_fields(now);
   decide(now);
   write(now);
   show(now);
@@ -79,6 +83,21 @@ void FlightLoop::observe_truth() noexcept {
   }
   const Estimate& at = seen();
   metrics_.observe({at.x, at.y, at.z, at.vx, at.vy, at.vz});
+}
+
+void FlightLoop::renew_fields(Time now) noexcept {
+  if (keeper_ == nullptr) {
+    return;
+  }
+  keeper_->tick(seconds_flown(now), {estimate_.x, estimate_.y, estimate_.z}, motion_, parts_.engine);
+  note(solver_source_, now, keeper_->solver_state());
+  for (std::size_t s = 0; s < goal_sources_.size(); ++s) {
+    const std::uint64_t before = faults_.count();
+    note(goal_sources_[s], now, keeper_->state_of(s));
+    if (faults_.count() > before) {
+      keeper_->count_unreachable();
+    }
+  }
 }
 
 // The model steers p + τ·v: of a robot whose velocity lags by τ this point moves exactly as commanded, so

@@ -9,6 +9,7 @@
 #include "controller/executor/executor.hpp"
 #include "controller/flight/estimate.hpp"
 #include "controller/flight/fault_log.hpp"
+#include "controller/flight/field_keeper.hpp"
 #include "controller/flight/flight.hpp"
 #include "controller/flight/motion.hpp"
 #include "controller/governor/governor.hpp"
@@ -20,7 +21,9 @@ namespace mayfly {
 class FlightLoop {
  public:
   // `motion` is what governor and metrics see obstacles and goals by; it is kept at the time of the tick.
-  FlightLoop(const FlightParts& parts, Motion& motion, Governor governor, Metrics metrics);
+  // `keeper` may be null: then fields stay as they are.
+  FlightLoop(const FlightParts& parts, Motion& motion, FieldKeeper* keeper, Governor governor,
+             Metrics metrics);
 
   void tick() noexcept;
 
@@ -42,15 +45,16 @@ class FlightLoop {
   void note(FaultLog::Source& source, Time now, const HalResult& result) noexcept;
   void note_liar(Time now, std::optional<RobotIndex> liar) noexcept;
   void observe_truth() noexcept;
+  void renew_fields(Time now) noexcept;
   void look_ahead() noexcept;
   void decide(Time now) noexcept;
   void write(Time now) noexcept;
   void show(Time now) noexcept;
   void end_if_asked(Time now) noexcept;
-  void measure(Summary& summary) const;
 
   const FlightParts& parts_;
   Motion& motion_;
+  FieldKeeper* keeper_;
   std::size_t agents_;
   Time period_;
   Governor governor_;
@@ -63,7 +67,8 @@ class FlightLoop {
   Columns3 command_;
   std::vector<CommandKind> kind_;
   FaultLog faults_;
-  FaultLog::Source hal_source_, state_source_, write_source_, engine_source_;
+  FaultLog::Source hal_source_, state_source_, write_source_, engine_source_, solver_source_;
+  std::vector<FaultLog::Source> goal_sources_;  // one a swarm
   std::uint64_t sequence_ = 0;
   std::uint64_t ticks_ = 0;
   std::uint64_t moved_ = 0;  // agent-ticks in which MDE moved somebody

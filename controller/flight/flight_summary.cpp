@@ -55,6 +55,9 @@ Summary FlightLoop::summarise(const Executor& executor, double wall_s) const {
                parts_.clock.is_virtual() ? std::nullopt : told(control.jitter),
                told(control.run)};
   s.preprocessing_s = parts_.world.preprocessing;
+  if (keeper_ != nullptr) {
+    s.fields = keeper_->summary();
+  }
   s.stopped_by_user = stop_level() > 0;
   s.expect = hold_expectations(scenario.expect, s, [&](const std::string& name) -> std::optional<double> {
     if (name.empty()) {

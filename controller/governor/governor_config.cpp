@@ -74,7 +74,7 @@ Result<void> check(const GovernorConfig& config) {
     }
   }
   const Grid& grid = config.obstacles.sampled.grid;
-  if (!config.obstacles.empty() &&
+  if (!config.obstacles.sampled.empty() &&
       (!positive(grid.cell) || grid.cells.x < 1 || grid.cells.y < 1 || grid.cells.z < 1)) {
     return refuse("the governor's distance field", "no cells", "a grid");
   }
