@@ -7,6 +7,13 @@
 #include "controller/flight/swarm_models.hpp"
 
 namespace mayfly {
+namespace {
+
+// Of a cell: by as much the sampled distance may be off beside an edge, or in a body that is thinner than
+// a cell. Whoever stands still is not pressed against what stands still; what moves presses everybody.
+constexpr float kSharpness = 0.5F;
+
+}  // namespace
 
 double field_period(const Scenario& scenario) {
   return 1.0 / static_cast<double>(std::min(scenario.field_rate, scenario.control.rate));
@@ -29,7 +36,7 @@ float obstacle_margin(const Scenario& scenario, const PathSpec& path, double fro
   }
   const auto on_the_way = static_cast<float>(0.5 * (until_s - from_s));
   const auto half_period = static_cast<float>(0.5 * field_period(scenario));
-  return path.speed * (on_the_way + half_period + 1.0F / approach_rate(scenario) + lag + turn * path.speed);
+  return kSharpness * scenario.world.cell + path.speed * (on_the_way + half_period + 1.0F / approach_rate(scenario) + lag + turn * path.speed);
 }
 
 std::vector<float> wall_lengths(const Scenario& scenario, const Grid& grid) {
