@@ -14,7 +14,7 @@ std::optional<double> as_double(const std::optional<Number>& value) {
 }
 
 std::optional<double> measured(const Expectation& expectation, const Summary& summary,
-                               const ReachedFraction& reached) {
+                               const ReachedFraction& reached, const std::optional<double>& asked) {
   switch (expectation.quantity) {
     case Quantity::kReached:
       return reached(expectation.swarm);
@@ -44,7 +44,7 @@ std::optional<double> measured(const Expectation& expectation, const Summary& su
     case Quantity::kGoalDistance:
     case Quantity::kTurns:
     case Quantity::kSpread:
-      return std::nullopt;  // no key asks for them yet
+      return asked;
   }
   return std::nullopt;
 }
@@ -85,12 +85,14 @@ std::string_view sign_of(Comparison comparison) {
 }  // namespace
 
 std::vector<ExpectationResult> hold_expectations(const std::vector<Expectation>& expectations,
-                                                 const Summary& summary, const ReachedFraction& reached) {
+                                                 const Summary& summary, const ReachedFraction& reached,
+                                                 std::span<const std::optional<double>> asked) {
   std::vector<ExpectationResult> results;
-  for (const Expectation& expectation : expectations) {
+  for (std::size_t i = 0; i < expectations.size(); ++i) {
+    const Expectation& expectation = expectations[i];
     ExpectationResult result;
     result.name = expectation.text;
-    result.value = measured(expectation, summary, reached);
+    result.value = measured(expectation, summary, reached, i < asked.size() ? asked[i] : std::nullopt);
     result.wanted = fmt::format("{} {:g}", sign_of(expectation.comparison), expectation.wanted);
     result.pass = result.value && holds(expectation.comparison, *result.value, expectation.wanted);
     results.push_back(std::move(result));

@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "controller/flight/summary.hpp"
@@ -14,7 +15,10 @@ namespace mayfly {
 // measured.
 using ReachedFraction = std::function<std::optional<double>(const std::string& swarm)>;
 
+// `asked`: what was measured only because an expectation asks for it, one element an expectation (swarms'
+// motion, wall clearance); empty: nothing was.
 std::vector<ExpectationResult> hold_expectations(const std::vector<Expectation>& expectations,
-                                                 const Summary& summary, const ReachedFraction& reached);
+                                                 const Summary& summary, const ReachedFraction& reached,
+                                                 std::span<const std::optional<double>> asked = {});
 
 }  // namespace mayfly

@@ -17,6 +17,17 @@ bool has_mde(const Scenario& scenario) {
   });
 }
 
+// What metrics_config() had measured for each expectation.
+std::vector<std::optional<double>> asked_for(const Scenario& scenario, const MetricsResult& measured) {
+  std::vector<std::optional<double>> asked = measured.motions;
+  for (std::size_t i = 0; i < scenario.expect.size(); ++i) {
+    if (scenario.expect[i].quantity == Expectation::Quantity::kWallClearance) {
+      asked[i] = measured.wall_clearance_m;
+    }
+  }
+  return asked;
+}
+
 }  // namespace
 
 Summary FlightLoop::summarise(const Executor& executor, double wall_s) const {
@@ -59,14 +70,15 @@ Summary FlightLoop::summarise(const Executor& executor, double wall_s) const {
     s.fields = keeper_->summary();
   }
   s.stopped_by_user = stop_level() > 0;
-  s.expect = hold_expectations(scenario.expect, s, [&](const std::string& name) -> std::optional<double> {
+  const auto reached = [&](const std::string& name) -> std::optional<double> {
     if (name.empty()) {
       return measured.reached_fraction;
     }
     const auto swarm = std::find_if(scenario.swarms.begin(), scenario.swarms.end(),
                                     [&](const SwarmSpec& spec) { return spec.name == name; });
     return measured.reached_fraction_of[static_cast<std::size_t>(swarm - scenario.swarms.begin())];
-  });
+  };
+  s.expect = hold_expectations(scenario.expect, s, reached, asked_for(scenario, measured));
   return s;
 }
 

@@ -24,7 +24,10 @@ std::optional<double> fraction(std::size_t part, std::size_t all) {
 
 }  // namespace
 
-Metrics::Metrics(MetricsConfig config) : config_(std::move(config)), pairs_(config_.radii) {
+Metrics::Metrics(MetricsConfig config)
+    : config_(std::move(config)),
+      pairs_(config_.radii),
+      motion_(config_.motions, config_.radii.size(), config_.ticks) {
   const std::size_t agents = config_.radii.size();
   reached_.assign(agents, 0);
   swarm_of_.assign(agents, kNoSwarm);
@@ -44,6 +47,7 @@ void Metrics::observe(const MetricsTick& tick) noexcept {
                                        tick.vx.size(), tick.vy.size(), tick.vz.size()});
   ++ticks_;
   pairs_.observe(tick.x, tick.y, tick.z);
+  motion_.observe(tick.x, tick.y, tick.z);
   observe_places(tick, agents);
   observe_speeds(tick, agents);
 }
@@ -55,8 +59,8 @@ void Metrics::observe_places(const MetricsTick& tick, std::size_t agents) noexce
       ++not_finite_;
       continue;
     }
-    if (!config_.obstacles.empty() && inside_obstacle(place)) {
-      ++penetrations_;
+    if (!config_.obstacles.empty()) {
+      observe_obstacles(place);
     }
     if (reached_[i] == 0 && config_.in_goal && swarm_of_[i] != kNoSwarm &&
         config_.in_goal(swarm_of_[i], place)) {
@@ -65,13 +69,19 @@ void Metrics::observe_places(const MetricsTick& tick, std::size_t agents) noexce
   }
 }
 
-bool Metrics::inside_obstacle(glm::vec3 place) const {
+// Exact distances are asked for only where they can change what is known.
+void Metrics::observe_obstacles(glm::vec3 place) noexcept {
   const glm::dvec3 p(place);
   ObstacleView::Bounds phi = config_.obstacles.bounds(p);
-  if (phi.low <= 0.0 && phi.high >= 0.0) {
+  const bool is_nearer = config_.wall_clearance && phi.low < least_clearance_;
+  if (is_nearer || (phi.low <= 0.0 && phi.high >= 0.0)) {
     phi = config_.obstacles.sharpest_bounds(p);
   }
-  return phi.low + phi.high < 0.0;
+  const double twice = phi.low + phi.high;
+  penetrations_ += twice < 0.0 ? 1U : 0U;
+  if (is_nearer) {
+    least_clearance_ = std::min(least_clearance_, 0.5 * twice);
+  }
 }
 
 void Metrics::observe_speeds(const MetricsTick& tick, std::size_t agents) noexcept {
@@ -103,6 +113,10 @@ MetricsResult Metrics::result() const {
   result.contact_overflows = pairs_.overflows();
   result.penetrations = penetrations_;
   result.not_finite = not_finite_;
+  result.motions = motion_.answers();
+  if (std::isfinite(least_clearance_)) {
+    result.wall_clearance_m = least_clearance_;
+  }
   const auto reached_in = [&](std::size_t first, std::size_t end) {
     return static_cast<std::size_t>(std::count(reached_.begin() + static_cast<std::ptrdiff_t>(first),
                                                reached_.begin() + static_cast<std::ptrdiff_t>(end), 1));

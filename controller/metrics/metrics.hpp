@@ -5,12 +5,14 @@
 #include <cstdint>
 #include <functional>
 #include <glm/vec3.hpp>
+#include <limits>
 #include <optional>
 #include <span>
 #include <vector>
 
 #include "controller/governor/obstacle_view.hpp"
 #include "controller/metrics/near_pairs.hpp"
+#include "controller/metrics/swarm_motion.hpp"
 #include "core/clock.hpp"
 
 namespace mayfly {
@@ -27,7 +29,10 @@ struct MetricsConfig {
   // Whether a place lies in the goal of a swarm (its index above). Asked until the agent has been there once.
   std::function<bool(std::size_t swarm, glm::vec3)> in_goal{};  // empty: not measured
   // With the exact distance, φ < 0 is decided by it wherever the sampled field cannot.
-  ObstacleView obstacles{};  // empty: there are none, and nobody is inside one
+  ObstacleView obstacles{};     // empty: there are none, and nobody is inside one
+  bool wall_clearance = false;  // whether to measure it: many exact distances
+  std::vector<MotionQuestion> motions{};
+  std::uint64_t ticks = 0;  // how many there will be, for what is measured over a part of the flight
 };
 
 // Columns of one tick, one element an agent: m, m/s. The truth where it is known.
@@ -44,6 +49,8 @@ struct MetricsResult {
   std::uint64_t penetrations = 0;          // agent-ticks with the centre inside an obstacle
   std::optional<double> reached_fraction;  // of all agents: who entered the goal at any time
   std::vector<std::optional<double>> reached_fraction_of;  // by swarm
+  std::optional<double> wall_clearance_m;  // least distance of a centre to an obstacle, 0 or less inside one
+  std::vector<std::optional<double>> motions;  // in the order of the questions
   std::optional<double> max_speed_mps;
   std::optional<double> max_acceleration_mps2;  // change of velocity from tick to tick
   std::uint64_t not_finite = 0;                 // agent-ticks left out because a number was none
@@ -64,16 +71,18 @@ class Metrics {
  private:
   void observe_places(const MetricsTick& tick, std::size_t agents) noexcept;
   void observe_speeds(const MetricsTick& tick, std::size_t agents) noexcept;
-  bool inside_obstacle(glm::vec3 place) const;
+  void observe_obstacles(glm::vec3 place) noexcept;
 
   MetricsConfig config_;
   NearPairs pairs_;
+  SwarmMotion motion_;
   std::vector<std::uint8_t> reached_;
   std::vector<std::size_t> swarm_of_;
   std::vector<glm::vec3> last_velocity_;
   std::vector<std::uint8_t> last_known_;
   std::uint64_t ticks_ = 0;
   std::uint64_t penetrations_ = 0;
+  double least_clearance_ = std::numeric_limits<double>::infinity();
   std::uint64_t not_finite_ = 0;
   double fastest_squared_ = -1.0;   // −1: nothing was seen
   double sharpest_squared_ = -1.0;  // of the change of velocity in a tick

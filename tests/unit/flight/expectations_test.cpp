@@ -123,6 +123,30 @@ TEST(Reached, IsAskedForTheSwarmThatIsNamed) {
   EXPECT_FALSE(held(bees, {}, reached).pass);
 }
 
+TEST(Quantities, ThatAreMeasuredOnlyWhereTheyAreAskedForGoByTheirPlace) {
+  const std::vector<std::optional<double>> asked = {1.0, std::nullopt, 3.0};
+  const auto results = hold_expectations({expected(Quantity::kCentreDrift, Comparison::kEqual, 1.0),
+                                          expected(Quantity::kTurns, Comparison::kGreaterEqual, 0.0),
+                                          expected(Quantity::kWallClearance, Comparison::kGreaterEqual, 3.5)},
+                                         {}, nobody_counted, asked);
+  EXPECT_TRUE(results.at(0).pass);
+  EXPECT_FALSE(results.at(1).value || results.at(1).pass);  // not measured
+  EXPECT_EQ(results.at(2).value, 3.0);
+  EXPECT_FALSE(results.at(2).pass);
+  EXPECT_FALSE(held(expected(Quantity::kSpread, Comparison::kGreaterEqual, 0.0), {}).pass);
+}
+
+TEST(Quantities, AgeOfFieldsIsTheOldest) {
+  const auto age = expected(Quantity::kFieldAge, Comparison::kLessEqual, 0.5);
+  Summary summary;
+  EXPECT_FALSE(held(age, summary).value);
+  summary.fields = FieldsSummary{};
+  EXPECT_FALSE(held(age, summary).value);
+  summary.fields->age_s = Spread{0.1, 0.2, 0.4};
+  EXPECT_EQ(held(age, summary).value, 0.4);
+  EXPECT_TRUE(held(age, summary).pass);
+}
+
 TEST(Results, RepeatWhatWasWantedInTheOrderOfTheScenario) {
   auto first = expected(Quantity::kFaults, Comparison::kEqual, 0);
   auto second = expected(Quantity::kMdePercent, Comparison::kLessEqual, 0.36);

@@ -138,6 +138,37 @@ TEST(Metrics, PenetrationsAreExactWhereTheFieldCannotTell) {
   EXPECT_EQ(asked, 6);
 }
 
+TEST(Metrics, WallClearanceIsExactAndMeasuredWhereItIsAskedFor) {
+  const Grid grid{{-4.0F, -4.0F, -4.0F}, 1.0F, {8, 8, 8}};
+  const auto ball = [](glm::vec3 p) { return std::sqrt(p.x * p.x + p.y * p.y + p.z * p.z) - 0.4F; };
+  std::vector<float> data(grid.size());
+  for (std::size_t i = 0; i < data.size(); ++i) {
+    const int n = static_cast<int>(i);
+    data[i] = ball(grid.center(n % 8, n / 8 % 8, n / 64));
+  }
+  for (const bool asked : {false, true}) {
+    MetricsConfig config = config_of(3);
+    config.obstacles.sampled = {data.data(), grid};
+    config.obstacles.exact = ball;
+    config.wall_clearance = asked;
+    Metrics metrics(config);
+    Columns columns(3);
+    columns.x = {3.0F, -2.3F, kNan};
+    metrics.observe(columns.tick());
+    columns.x = {1.1F, -2.3F, 3.5F};
+    metrics.observe(columns.tick());
+    columns.x = {2.0F, 3.0F, 3.5F};
+    metrics.observe(columns.tick());
+    ASSERT_EQ(metrics.result().wall_clearance_m.has_value(), asked);
+    EXPECT_NEAR(metrics.result().wall_clearance_m.value_or(0.7), 0.7, 1e-6);
+  }
+  MetricsConfig nowhere = config_of(1);
+  nowhere.wall_clearance = true;
+  Metrics metrics(nowhere);
+  metrics.observe(Columns(1).tick());
+  EXPECT_FALSE(metrics.result().wall_clearance_m.has_value());  // there are no obstacles
+}
+
 TEST(Metrics, ShortColumnsLeaveTheRestOut) {
   Metrics metrics(config_of(3));
   Columns columns(3);
