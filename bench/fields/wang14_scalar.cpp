@@ -1,4 +1,4 @@
-#include "bench/wang14_scalar.hpp"
+#include "bench/fields/wang14_scalar.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,0 +1,29 @@
+// `mayfly bench fields`: the field core in numbers, each beside its baseline in the same run.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "bench/fields/report.hpp"
+#include "core/progress.hpp"
+
+namespace mayfly::bench {
+
+struct FieldsPlan {
+  std::size_t most_agents = 1U << 20U;
+  int largest_grid = 200;  // cells along a side, of the solvers' worlds
+  int torus_triangles = 70'000;
+  int ticks = 40;  // a measurement of an engine: the median counts
+  int threads = 2;
+  Progress progress{};
+};
+
+tl::expected<FieldsReport, std::vector<Error>> measure_fields(const FieldsPlan& plan);
+
+// Its parts; each appends to the report.
+Result<void> measure_noise(const FieldsPlan& plan, FieldsReport& report);
+Result<void> measure_solvers(const FieldsPlan& plan, FieldsReport& report);
+tl::expected<void, std::vector<Error>> measure_engines(const FieldsPlan& plan, FieldsReport& report);
+tl::expected<void, std::vector<Error>> measure_growth(const FieldsPlan& plan, FieldsReport& report);
+
+}  // namespace mayfly::bench
