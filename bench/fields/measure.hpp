@@ -22,6 +22,7 @@ tl::expected<FieldsReport, std::vector<Error>> measure_fields(const FieldsPlan& 
 
 // Its parts; each appends to the report.
 Result<void> measure_noise(const FieldsPlan& plan, FieldsReport& report);
+void measure_eikonal(const FieldsPlan& plan, FieldsReport& report);
 Result<void> measure_solvers(const FieldsPlan& plan, FieldsReport& report);
 tl::expected<void, std::vector<Error>> measure_engines(const FieldsPlan& plan, FieldsReport& report);
 tl::expected<void, std::vector<Error>> measure_growth(const FieldsPlan& plan, FieldsReport& report);

@@ -96,8 +96,11 @@ Result<std::string> draw_figure(const FieldsReport& report) {
   constexpr double kHeight = 520.0;
   constexpr std::size_t kColumns = 2;
   const std::size_t lines = (report.curves.size() + kColumns - 1) / kColumns;
-  record::Canvas canvas(static_cast<int>(kWidth) * static_cast<int>(kColumns),
-                        static_cast<int>(kHeight) * static_cast<int>(std::max<std::size_t>(lines, 1)));
+  auto canvas = record::Canvas::create(kWidth * static_cast<double>(kColumns),
+                                       kHeight * static_cast<double>(std::max<std::size_t>(lines, 1)));
+  if (!canvas) {
+    return fail(std::move(canvas.error()));
+  }
   for (std::size_t c = 0; c < report.curves.size(); ++c) {
     const Curve& curve = report.curves[c];
     record::Chart chart{.title = curve.title,
@@ -109,12 +112,12 @@ Result<std::string> draw_figure(const FieldsReport& report) {
                               .stroke = {record::series_color(n), 2.2},
                               .dot_radius = 4.0});
     }
-    record::draw_chart(canvas,
+    record::draw_chart(*canvas,
                        {kWidth * static_cast<double>(c % kColumns),
                         kHeight * static_cast<double>(c / kColumns), kWidth, kHeight},
                        chart);
   }
-  return canvas.png();
+  return canvas->png();
 }
 
 }  // namespace mayfly::bench
