@@ -6,6 +6,7 @@
 #include "controller/flight/kernel_parts.hpp"
 #include "controller/flight/world_costs.hpp"
 #include "fields/cache.hpp"
+#include "fields/careful_walls.hpp"
 #include "fields/make_grid.hpp"
 #include "fields/spline.hpp"
 
@@ -42,7 +43,7 @@ class Builder {
     if (!distance) {
       return tl::unexpected(std::vector<Error>{std::move(distance.error())});
     }
-    std::vector<float> walls = fields::spline_coefficients(*grid, distance->distance);
+    std::vector<float> walls = make_walls(*solid, *distance);
     World world{.grid = *grid,
                 .solid = std::move(*solid),
                 .distance = std::move(*distance),
@@ -75,6 +76,15 @@ class Builder {
     }
     timing_.distance += seconds_since(start);
     return solid;
+  }
+
+  std::vector<float> make_walls(const fields::Geometry& solid, const fields::DistanceField& distance) {
+    const auto start = SteadyClock::now();
+    std::vector<float> walls(distance.distance.size());
+    fields::fill_spline_coefficients(distance.grid, distance.distance, threads_, walls);
+    fields::lower_walls(solid, distance, threads_, walls);
+    timing_.distance += seconds_since(start);
+    return walls;
   }
 
   std::vector<fields::Geometry> make_goals() {
