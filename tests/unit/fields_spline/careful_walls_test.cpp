@@ -64,7 +64,7 @@ TEST_P(CarefulWalls, TellNoMoreRoomThanThereIs) {
 INSTANTIATE_TEST_SUITE_P(
     Shapes, CarefulWalls,
     ::testing::Values(std::pair{"post", Shape(CylinderShape{{0.1F, 0.2F, -5}, {0.1F, 0.2F, 5}, 0.3F})},
-                      std::pair{"ball", Shape(SphereShape{{0.1F, 0.2F, 0.3F}, 0.4F})},
+                      std::pair{"ball", Shape(SphereShape{{0.1F, 0.2F, 0.3F}, 0.25F})},
                       std::pair{"box", Shape(BoxShape{{{-3.1F, -2.2F, -4.3F}, {2.7F, 3.4F, 1.9F}}})},
                       std::pair{"slab", Shape(BoxShape{{{-5, -5, -0.2F}, {5, 5, 0.15F}}})}),
     [](const auto& row) { return std::string(row.param.first); });
