@@ -40,7 +40,7 @@ Result<CostField> solve(const DistanceField& obstacles, const GoalDistance& goal
   }
   CostField field;
   field.grid = grid;
-  finish_cost_field(obstacles.distance, cost, params, small, goal.middle, threads, progress, field);
+  finish_cost_field(obstacles.distance, cost, params, {small, goal.middle}, threads, progress, field);
   return field;
 }
 

@@ -127,14 +127,13 @@ void set_kinds(std::span<const float> distance, std::span<const float> cost, std
 }
 
 void finish_cost_field(std::span<const float> distance, std::span<const float> cost, const CostParams& params,
-                       std::span<const std::size_t> small, const std::optional<glm::vec3>& middle,
-                       int threads, const Progress& progress, CostField& field) {
+                       const SmallGoal& small, int threads, const Progress& progress, CostField& field) {
   const float clearance = effective_clearance(params, field.grid);
   set_kinds(distance, cost, 1, kUnreachedCost, clearance, field);
   field.guide.resize(4 * cost.size());
   make_guide({field.grid, distance, cost, field.kind, clearance}, field.guide, threads, progress);
-  if (middle) {
-    point_at(*middle, field.grid, small, field.guide);
+  if (small.middle) {
+    point_at(*small.middle, field.grid, small.cells, field.guide);
   }
 }
 

@@ -35,10 +35,15 @@ void fill_slowness(std::span<const float> distance, const CostTerms& terms, cons
 void set_kinds(std::span<const float> distance, std::span<const float> cost, std::size_t stride,
                float unreached, float clearance, CostField& field);
 
-// Kinds, counts and guide from solved costs. `small`: the sources of a goal that holds no cell centre, which
-// point at `middle` (if any). Allocates nothing where `field` has its sizes already.
+// A goal that holds no cell centre: its sources, which point at its middle (if it has one). Otherwise no
+// cells.
+struct SmallGoal {
+  std::span<const std::size_t> cells;
+  std::optional<glm::vec3> middle;
+};
+
+// Kinds, counts and guide from solved costs. Allocates nothing where `field` has its sizes already.
 void finish_cost_field(std::span<const float> distance, std::span<const float> cost, const CostParams& params,
-                       std::span<const std::size_t> small, const std::optional<glm::vec3>& middle,
-                       int threads, const Progress& progress, CostField& field);
+                       const SmallGoal& small, int threads, const Progress& progress, CostField& field);
 
 }  // namespace mayfly::fields

@@ -157,7 +157,7 @@ Result<SolveStats> CostSolver::solve(const CostInput& input, int threads, CostFi
   std::swap(s.last, s.next);
   s.solved = true;
   field.grid = s.grid;
-  finish_cost_field(input.distance, s.last.cost, s.params, s.small, s.goal_distance.middle, threads, {},
+  finish_cost_field(input.distance, s.last.cost, s.params, {s.small, s.goal_distance.middle}, threads, {},
                     field);
   return SolveStats{stats->sweeps, kept > 0, s.grid.size() - kept};
 }

@@ -30,23 +30,33 @@ class DistanceBuilder {
   void fill(std::size_t bundle) {
     const int j = 2 * static_cast<int>(bundle % across());
     const int k = 2 * static_cast<int>(bundle / across());
-    std::vector<std::uint32_t> solid_hints(parts_.solids.size(), TriangleTree::kNoHint);
-    std::vector<std::uint32_t> shell_hints(parts_.shells.size(), TriangleTree::kNoHint);
-    std::array<std::vector<int>, 4> owners;
+    Hints hints{{},
+                std::vector<std::uint32_t>(parts_.solids.size(), TriangleTree::kNoHint),
+                std::vector<std::uint32_t>(parts_.shells.size(), TriangleTree::kNoHint)};
+    std::array<std::vector<int>, 4> rows;
     for (int row = 0; row < 4; ++row) {
-      owners[static_cast<std::size_t>(row)] =
+      rows[static_cast<std::size_t>(row)] =
           rows_.owners(std::min(j + row % 2, cells_.y - 1), std::min(k + row / 2, cells_.z - 1));
     }
     for (int i = 0; i < cells_.x; i += 2) {
       const Eight cells = eight(i, j, k);
-      std::array<double, 8> distance = solids(cells, owners, solid_hints);
-      add_shells(cells, shell_hints, distance);
+      Owners owners{};
+      for (std::size_t lane = 0; lane < 8; ++lane) {
+        owners[lane] = rows[lane / 2][static_cast<std::size_t>(cells.cell[lane].x)];
+      }
+      std::array<double, 8> distance = solids(cells, owners, hints);
+      add_shells(cells, hints.shells, distance);
       add_primitives(cells, distance);
       store(cells, distance);
     }
   }
 
  private:
+  // Of the eight cells before.
+  struct Hints {
+    std::size_t nearest_solid = 0;
+    std::vector<std::uint32_t> solids, shells;  // their nearest triangle
+  };
   struct Eight {
     std::array<glm::ivec3, 8> cell;  // those beyond the grid's far side repeat the last one
     std::array<Double8, 3> center;
@@ -68,22 +78,39 @@ class DistanceBuilder {
     return cells;
   }
 
-  std::array<double, 8> solids(const Eight& cells, const std::array<std::vector<int>, 4>& owners,
-                               std::vector<std::uint32_t>& hints) const {
-    Double8 squared = splat<Double8>(std::numeric_limits<double>::infinity());
+  using Owners = std::array<int, 8>;
+
+  std::array<double, 8> solids(const Eight& cells, const Owners& owners, Hints& hints) const {
+    Double8 squared = limits(cells, owners);
     Double8 nearest = splat<Double8>(-1.0);
-    for (std::size_t s = 0; s < parts_.solids.size(); ++s) {
+    // First the one that was nearest to the eight before: it leaves the others little to search.
+    const std::size_t first = hints.nearest_solid;
+    for (std::size_t turn = 0; turn < parts_.solids.size(); ++turn) {
+      const std::size_t s = turn == 0 ? first : turn <= first ? turn - 1 : turn;
       const Double8 before = squared;
-      parts_.solids[s].nearest(cells.center, squared, hints[s]);
+      parts_.solids[s].nearest(cells.center, squared, hints.solids[s]);
       nearest = select(squared < before, splat<Double8>(static_cast<double>(s)), nearest);
     }
+    hints.nearest_solid = static_cast<std::size_t>(std::max(nearest[0], 0.0));
     std::array<double, 8> distance{};
     for (int lane = 0; lane < 8; ++lane) {
       const auto l = static_cast<std::size_t>(lane);
-      const int owner = owners[l / 2][static_cast<std::size_t>(cells.cell[l].x)];
-      distance[l] = one_solid(cells, lane, owner, static_cast<int>(nearest[lane]), squared[lane]);
+      distance[l] = one_solid(cells, lane, owners[l], static_cast<int>(nearest[lane]), squared[lane]);
     }
     return distance;
+  }
+
+  // Squared distances beyond which a cell outside is not lowered.
+  Double8 limits(const Eight& cells, const Owners& owners) const {
+    Double8 squared{};
+    for (int lane = 0; lane < 8; ++lane) {
+      const glm::ivec3 cell = cells.cell[static_cast<std::size_t>(lane)];
+      const double value = static_cast<double>(values_[samples_.index(cell.x, cell.y, cell.z)]);
+      const double reach = std::max(value + samples_.margin, 0.0);
+      const bool outside = owners[static_cast<std::size_t>(lane)] == SolidRows::kNobody;
+      squared.set(lane, outside ? reach * reach : std::numeric_limits<double>::infinity());
+    }
+    return squared;
   }
 
   // The nearest triangle overall answers for every cell outside, and for a cell inside one solid when it is
