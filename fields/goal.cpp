@@ -38,6 +38,7 @@ void flood(std::span<const float> obstacles, const GoalDistance& goal, float cle
     }
   };
   visit(first);
+  // It grows while it is read. NOLINTNEXTLINE(modernize-loop-convert)
   for (std::size_t next = 0; next < found.size(); ++next) {
     const std::size_t cell = found[next];
     const auto z = cell / plane;

@@ -17,7 +17,7 @@ namespace mayfly::fields {
 
 struct alignas(64) OrientedBox {
   glm::vec3 center{0.0F};  // relative to the tree's middle, where floats are exact enough
-  std::array<glm::vec3, 3> axes;
+  std::array<glm::vec3, 3> axes{};
   glm::vec3 half{0.0F};    // along the axes; a little more than needed, for all that floats round away
   std::uint32_t link = 0;  // for the tree
 };
