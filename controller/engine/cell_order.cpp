@@ -145,7 +145,8 @@ void CellOrder::add_up(std::size_t agents) noexcept {
 void CellOrder::fill(const UnsortedAgents& agents, ThreadTeam& team) noexcept {
   team.for_ranges(agents.count, kChunk, [&](std::size_t first, std::size_t last) {
     for (std::size_t a = first; a < last; ++a) {
-      const auto to = static_cast<std::size_t>(start_[static_cast<std::size_t>(cell_of_[a])] + rank_[a]);
+      const auto first_there = static_cast<std::size_t>(start_[static_cast<std::size_t>(cell_of_[a])]);
+      const std::size_t to = first_there + static_cast<std::size_t>(rank_[a]);
       x_[to] = agents.x[a];
       y_[to] = agents.y[a];
       z_[to] = agents.z[a];

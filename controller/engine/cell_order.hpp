@@ -23,8 +23,8 @@ struct UnsortedAgents {
 
 // Where cells are worth having: agents outside share those inside.
 struct CellLimits {
-  std::array<float, 3> low, high;  // m
-  float least_side = 0.0F;         // m: no cell is made smaller
+  std::array<float, 3> low{}, high{};  // m
+  float least_side = 0.0F;             // m: no cell is made smaller
 };
 
 class CellOrder {
