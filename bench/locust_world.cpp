@@ -29,7 +29,7 @@ template <class T>
 T or_die(Result<T> result) {
   if (!result) {
     std::fprintf(stderr, "%s\n", to_string(result.error()).c_str());
-    std::exit(2);
+    std::abort();
   }
   return std::move(*result);
 }
