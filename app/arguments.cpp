@@ -84,14 +84,33 @@ void add_doctor(CLI::App& app) {
       ->footer("\nExample:\n  mayfly doctor\n");
 }
 
+void add_bench(CLI::App& app, BenchOptions& options) {
+  CLI::App& bench =
+      *app.add_subcommand("bench", "Measure the models against others; without a name, list what there is");
+  bench.add_option("NAME", options.name, "What to measure");
+  bench.add_flag("--json", options.json, "Print JSON instead of a table");
+  bench.add_option("--figure", options.figure, "Draw it (PNG)")->type_name("FILE");
+  bench.add_option("--agents", options.agents, "Other than the benchmark's own number")
+      ->type_name("N")
+      ->check(CLI::Range(1, 1'000'000));
+  bench.add_option("--duration", options.duration_s, "Seconds to fly, other than the benchmark's own")
+      ->type_name("S")
+      ->check(CLI::Range(0.01, 3600.0));
+  bench.add_option("--seeds", options.seeds, "How often, each with other random numbers")
+      ->type_name("N")
+      ->check(CLI::Range(1, 1000));
+  add_threads(bench, options.threads);
+  bench.footer(std::string("\nExample:\n  mayfly bench noise --figure noise.png\n") + kExitCodes);
+}
+
 // A word that is no command, before CLI11 calls it an unexpected argument.
 bool refuse_unknown_command(int argc, const char* const* argv) {
   if (argc < 2 || argv[1][0] == '-') {
     return false;
   }
   const std::string word = argv[1];
-  const std::vector<std::string> there{"run", "check", "doctor"};
-  const std::array<std::string_view, 5> later{"plan", "test", "emulate", "view", "bench"};
+  const std::vector<std::string> there{"run", "check", "doctor", "bench"};
+  const std::array<std::string_view, 4> later{"plan", "test", "emulate", "view"};
   if (std::find(there.begin(), there.end(), word) != there.end()) {
     return false;
   }
@@ -137,10 +156,12 @@ tl::expected<Command, int> parse_arguments(int argc, const char* const* argv) {
       kExitCodes);
   RunOptions run;
   CheckOptions check;
+  BenchOptions bench;
   Raw raw;
   add_run(app, run, raw);
   add_check(app, check, raw);
   add_doctor(app);
+  add_bench(app, bench);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -158,6 +179,9 @@ tl::expected<Command, int> parse_arguments(int argc, const char* const* argv) {
   if (app.got_subcommand("check")) {
     check.overrides = std::move(*overrides);
     return Command(std::move(check));
+  }
+  if (app.got_subcommand("bench")) {
+    return Command(std::move(bench));
   }
   return Command(DoctorOptions{});
 }

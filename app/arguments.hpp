@@ -34,7 +34,18 @@ struct CheckOptions {
 
 struct DoctorOptions {};
 
-using Command = std::variant<RunOptions, CheckOptions, DoctorOptions>;
+struct BenchOptions {
+  std::string name;              // empty: list them
+  bool json = false;             // instead of the table
+  std::filesystem::path figure;  // empty: not wanted
+  int threads = 0;               // 0: as many as are worth it
+  // Smaller than the real thing, to try it.
+  std::size_t agents = 0;   // 0: the benchmark's own
+  double duration_s = 0.0;  // 0: the benchmark's own
+  int seeds = 0;            // 0: the benchmark's own
+};
+
+using Command = std::variant<RunOptions, CheckOptions, DoctorOptions, BenchOptions>;
 
 // Where the command line itself asks for no more than text (--help) or is wrong, that has been printed, and
 // the exit code comes back instead.

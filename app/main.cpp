@@ -4,6 +4,7 @@
 #include <variant>
 
 #include "app/arguments.hpp"
+#include "app/bench_command.hpp"
 #include "app/check_command.hpp"
 #include "app/doctor_command.hpp"
 #include "app/exit_code.hpp"
@@ -14,6 +15,7 @@ namespace {
 struct Runner {
   int operator()(const mayfly::app::RunOptions& options) const { return mayfly::app::run(options); }
   int operator()(const mayfly::app::CheckOptions& options) const { return mayfly::app::check(options); }
+  int operator()(const mayfly::app::BenchOptions& options) const { return mayfly::app::bench(options); }
   int operator()(const mayfly::app::DoctorOptions&) const { return mayfly::app::doctor(); }
 };
 

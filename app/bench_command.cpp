@@ -1,0 +1,121 @@
+#include "app/bench_command.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <optional>
+
+#include "app/exit_code.hpp"
+#include "app/log.hpp"
+#include "app/progress_line.hpp"
+#include "bench/noise/report.hpp"
+#include "controller/scenario/suggest.hpp"
+#include "record/output_file.hpp"
+
+namespace mayfly::app {
+namespace {
+
+// What a benchmark came to: the text to print and, where one was asked for, a PNG.
+struct Findings {
+  std::string text, figure;
+};
+using BenchResult = tl::expected<Findings, std::vector<Error>>;
+
+BenchResult bench_noise(const BenchOptions& options, const Progress& progress) {
+  mayfly::bench::NoisePlan plan;
+  plan.agents = options.agents > 0 ? options.agents : plan.agents;
+  plan.duration_s = options.duration_s > 0.0 ? options.duration_s : plan.duration_s;
+  plan.seeds = options.seeds > 0 ? options.seeds : plan.seeds;
+  plan.threads = options.threads;
+  plan.progress = progress;
+  const auto comparison = mayfly::bench::compare_noises(plan);
+  if (!comparison) {
+    return tl::unexpected(comparison.error());
+  }
+  Findings findings{options.json ? to_json(*comparison) : to_text(*comparison), {}};
+  if (!options.figure.empty()) {
+    auto drawn = draw_figure(*comparison);
+    if (!drawn) {
+      return tl::unexpected(std::vector{std::move(drawn.error())});
+    }
+    findings.figure = std::move(*drawn);
+  }
+  return findings;
+}
+
+struct Benchmark {
+  std::string name;
+  std::string_view does;
+  BenchResult (*run)(const BenchOptions&, const Progress&);
+};
+
+const std::array kBenchmarks{
+    Benchmark{"noise", "Perlin, random and curl noise in three models (Wang14, section 7.1)", bench_noise}};
+
+int list_benchmarks() {
+  for (const Benchmark& benchmark : kBenchmarks) {
+    fmt::print("{:<10} {}\n", benchmark.name, benchmark.does);
+  }
+  return kSuccess;
+}
+
+int refuse_name(const std::string& name) {
+  std::vector<std::string> names;
+  for (const Benchmark& benchmark : kBenchmarks) {
+    names.push_back(benchmark.name);
+  }
+  const std::vector<Error> errors{{.message = "bench: no benchmark of that name",
+                                   .found = fmt::format("'{}'", name),
+                                   .wanted = list_names(names),
+                                   .suggestion = nearest_name(name, names)}};
+  print_errors(errors);
+  return kBadInput;
+}
+
+int refuse(const std::vector<Error>& errors) {
+  print_errors(errors);
+  return exit_code_of(errors.front());
+}
+
+}  // namespace
+
+int bench(const BenchOptions& options) {
+  set_up_log(false);
+  if (options.name.empty()) {
+    return list_benchmarks();
+  }
+  const auto benchmark = std::find_if(kBenchmarks.begin(), kBenchmarks.end(),
+                                      [&](const Benchmark& b) { return b.name == options.name; });
+  if (benchmark == kBenchmarks.end()) {
+    return refuse_name(options.name);
+  }
+  // Opened first, so that a wrong path costs no benchmark.
+  std::optional<record::OutputFile> figure;
+  if (!options.figure.empty()) {
+    auto opened = record::OutputFile::create(options.figure);
+    if (!opened) {
+      return refuse({std::move(opened.error())});
+    }
+    figure.emplace(std::move(*opened));
+  }
+  ProgressLine line(true);
+  const auto findings = benchmark->run(options, line.stages());
+  line.clear();
+  if (!findings) {
+    return refuse(findings.error());
+  }
+  std::fputs(findings->text.c_str(), stdout);
+  if (figure) {
+    if (!figure->write(findings->figure)) {
+      return refuse({{Cause::kEnvironment, "cannot write " + options.figure.string()}});
+    }
+    if (auto named = figure->commit(); !named) {
+      return refuse({std::move(named.error())});
+    }
+  }
+  return kSuccess;
+}
+
+}  // namespace mayfly::app

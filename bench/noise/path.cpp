@@ -1,0 +1,35 @@
+#include "bench/noise/lanes.hpp"
+#include "bench/noise/steering.hpp"
+
+namespace mayfly::bench {
+namespace {
+
+class Path final : public Steering {
+ public:
+  explicit Path(const Arena& arena) : arena_(arena) {}
+  void steer(std::span<const glm::vec3> at, std::span<glm::vec3> velocity) override {
+    guided_velocities(arena_, at, velocity);
+  }
+
+ private:
+  const Arena& arena_;
+};
+
+}  // namespace
+
+void guided_velocities(const Arena& arena, std::span<const glm::vec3> at, std::span<glm::vec3> velocity) {
+  const glm::vec3 rest(30, 105, 20);  // nobody flies long enough to need a place of its own
+  for (std::size_t a = 0; a < at.size(); a += MF_LANES) {
+    const kernels::F3 r = lanes_of(at, a);
+    const kernels::MfCube cube = kernels::mf_cube(r, &arena.field.grid);
+    const kernels::F3 v = kernels::mf_global_velocity(r, kernels::mf3_splat(rest.x, rest.y, rest.z), &cube,
+                                                      arena.world.costs[0]->guide.data(), &arena.field);
+    store_lanes(v, velocity, a);
+  }
+}
+
+std::unique_ptr<Steering> make_path(const Arena& arena) {
+  return std::make_unique<Path>(arena);
+}
+
+}  // namespace mayfly::bench
