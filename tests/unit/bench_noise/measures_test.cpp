@@ -89,7 +89,7 @@ TEST(Measures, ClumpingIsOneByChance) {
   // 6 000 in 60 m: 0.028/m³, and 348 pairs within 1 m, whose count deviates by 1/√348. Near the faces both
   // balls lose volume, the larger one more: 4 m/60 m/… of 3/16 each of six faces, 7 %.
   const Measures m =
-      measure(flight(6000, 1, [](std::size_t a, double) { return random_place(a, 60); }), kCruise).measures;
+      measure(flight(6000, 50, [](std::size_t a, double) { return random_place(a, 60); }), kCruise).measures;
   EXPECT_NEAR(m.clumping, 1.07, 3 / std::sqrt(348.0));
   // Poisson: 1/√mean neighbours, 0.93 of them in 2 m.
   EXPECT_NEAR(m.density_variation, 1 / std::sqrt(6000.0 / 216000 * 4 / 3 * std::numbers::pi * 8), 0.06);
@@ -101,7 +101,7 @@ TEST(Measures, ClumpingTellsPairs) {
     const auto pair = static_cast<double>(a / 2);
     return glm::dvec3(100 * pair, a % 2 == 0 ? 0.0 : 0.1, 0);
   };
-  const Measures m = measure(flight(20, 1, paired), kCruise).measures;
+  const Measures m = measure(flight(20, 50, paired), kCruise).measures;
   EXPECT_EQ(m.near_share, 1);
   EXPECT_NEAR(m.clumping, 64, 1e-9) << "all that is within 4 m is within 1 m";
 }
