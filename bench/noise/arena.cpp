@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "controller/engine/permutation.hpp"
 #include "controller/flight/kernel_parts.hpp"
 #include "controller/flight/scatter.hpp"
 #include "controller/flight/swarm_models.hpp"
@@ -35,6 +36,12 @@ Scenario two_blocks() {
 }
 
 }  // namespace
+
+kernels::MfTables Arena::tables() const {
+  static constexpr float kRest[3] = {30.0F, 105.0F, 20.0F};  // m, the goal's middle
+  return {world.walls.data(), world.costs[0]->guide.data(), &kRest[0], &kRest[1],
+          &kRest[2],          kPermutation.data()};
+}
 
 std::vector<glm::vec3> Arena::starts(std::size_t agents, std::uint64_t seed) const {
   const Box& box = std::get<fields::BoxShape>(scenario.swarms[0].start).box;

@@ -20,6 +20,9 @@ struct Arena {
   World world;
   kernels::MfField field{};  // our path field, without noise
 
+  // For the kernels. Nobody flies long enough to need a place of its own: there is one, of agent 0.
+  kernels::MfTables tables() const;
+
   // The seed draws the starts and the noise.
   std::vector<glm::vec3> starts(std::size_t agents, std::uint64_t seed) const;
   kernels::MfNoise noise(NoiseKind kind, std::uint64_t seed) const;

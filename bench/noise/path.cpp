@@ -18,12 +18,11 @@ class Path final : public Steering {
 }  // namespace
 
 void guided_velocities(const Arena& arena, std::span<const glm::vec3> at, std::span<glm::vec3> velocity) {
-  const glm::vec3 rest(30, 105, 20);  // nobody flies long enough to need a place of its own
+  const kernels::MfTables tables = arena.tables();
   for (std::size_t a = 0; a < at.size(); a += MF_LANES) {
     const kernels::F3 r = lanes_of(at, a);
     const kernels::MfCube cube = kernels::mf_cube(r, &arena.field.grid);
-    const kernels::F3 v = kernels::mf_global_velocity(r, kernels::mf3_splat(rest.x, rest.y, rest.z), &cube,
-                                                      arena.world.costs[0]->guide.data(), &arena.field);
+    const kernels::F3 v = kernels::mf_global_velocity(r, kernels::mf_isplat(0), &cube, &arena.field, &tables);
     store_lanes(v, velocity, a);
   }
 }

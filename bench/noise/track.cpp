@@ -5,7 +5,6 @@
 #include "bench/noise/lanes.hpp"
 #include "bench/noise/steering.hpp"
 #include "controller/engine/moment.hpp"
-#include "controller/engine/permutation.hpp"
 
 namespace mayfly::bench {
 namespace {
@@ -24,11 +23,11 @@ std::unique_ptr<Steering> make_steering(const Arena& arena, SteeredBy model) {
 // The noise alone, bent at walls as our model bends it.
 void noise_velocities(const Arena& arena, const kernels::MfField& field, const kernels::MfMoment& moment,
                       std::span<const glm::vec3> at, std::span<glm::vec3> noise) {
+  const kernels::MfTables tables = arena.tables();
   for (std::size_t a = 0; a < at.size(); a += MF_LANES) {
     const kernels::F3 r = lanes_of(at, a);
     const kernels::I id = kernels::mf_lane_index() + static_cast<int>(a);
-    const kernels::F3 v = kernels::mf_field_velocity(r, r, id, &field, &moment, arena.world.walls.data(),
-                                                     arena.world.costs[0]->guide.data(), kPermutation.data());
+    const kernels::F3 v = kernels::mf_field_velocity(r, id, kernels::mf_isplat(0), &field, &moment, &tables);
     store_lanes(v, noise, a);
   }
 }

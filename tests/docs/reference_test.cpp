@@ -63,10 +63,22 @@ TEST(Reference, RecordingPageHasEveryColumn) {
   EXPECT_EQ(first_column("recording-csv.md"), columns);
 }
 
+TEST(Reference, BenchPageHasEveryKeyOfTheJson) {
+  const auto run =
+      run_program({"bench", "noise", "--json", "--agents", "8", "--duration", "1", "--seeds", "1"});
+  Names keys, without_spread;
+  add_keys(nlohmann::json::parse(run.out), "", keys);
+  static const std::regex kSpread(R"(\.(mean|least|most)$)");
+  for (const std::string& key : keys) {
+    without_spread.insert(std::regex_replace(key, kSpread, ""));
+  }
+  EXPECT_EQ(first_column("bench.md"), without_spread);
+}
+
 TEST(Reference, CommandLinePageHasEveryCommandAndOption) {
   static const std::regex kOption(R"(--[a-z-]+)");
-  Names there{"run", "check", "doctor"};
-  for (const std::string command : {"", "run", "check", "doctor"}) {
+  Names there{"run", "check", "doctor", "bench"};
+  for (const std::string command : {"", "run", "check", "doctor", "bench"}) {
     const std::string help =
         command.empty() ? run_program({"--help"}).out : run_program({command, "--help"}).out;
     const std::string options = help.substr(0, help.find("Example:"));

@@ -15,8 +15,11 @@ using ::testing::IsEmpty;
 const std::string kScenarios = MAYFLY_SOURCE_DIR "/config/scenarios/";
 
 TEST(CommandLine, HelpHasAnExampleEverywhere) {
-  for (const std::vector<std::string>& command :
-       {std::vector<std::string>{"--help"}, {"run", "--help"}, {"check", "--help"}, {"doctor", "--help"}}) {
+  for (const std::vector<std::string>& command : {std::vector<std::string>{"--help"},
+                                                  {"run", "--help"},
+                                                  {"check", "--help"},
+                                                  {"doctor", "--help"},
+                                                  {"bench", "--help"}}) {
     const Outcome outcome = run_program(command);
     EXPECT_EQ(outcome.exit_code, 0);
     EXPECT_THAT(outcome.out, HasSubstr("Example:\n  mayfly "));
@@ -30,7 +33,10 @@ TEST(CommandLine, MistakesAreBadInput) {
                                                   {"run", "x.yaml", "--threads", "-1"},
                                                   {"run", "x.yaml", "--nonsense"},
                                                   {"run", "x.yaml", "--set", "no_equals_sign"},
-                                                  {"check"}}) {
+                                                  {"check"},
+                                                  {"bench", "nois"},
+                                                  {"bench", "noise", "--agents", "0"},
+                                                  {"bench", "noise", "--figure", "/nowhere/noise.png"}}) {
     const Outcome outcome = run_program(command);
     EXPECT_EQ(outcome.exit_code, 2) << ::testing::PrintToString(command) << outcome.error;
     EXPECT_THAT(outcome.error, Not(IsEmpty()));
@@ -42,7 +48,7 @@ TEST(CommandLine, UnknownCommandsSayWhatThereIs) {
   EXPECT_THAT(run_program({"chekc"}).error, HasSubstr("did you mean 'check'?"));
   const Outcome later = run_program({"plan", "x.yaml"});
   EXPECT_EQ(later.exit_code, 2);
-  EXPECT_THAT(later.error, HasSubstr("not available yet: 'plan'; wanted run, check or doctor"));
+  EXPECT_THAT(later.error, HasSubstr("not available yet: 'plan'; wanted run, check, doctor or bench"));
 }
 
 TEST(CommandLine, AMissingFileIsNamed) {
@@ -73,6 +79,18 @@ TEST(CommandLine, DoctorLooksAtTheMachine) {
   EXPECT_EQ(outcome.exit_code, 0);
   EXPECT_THAT(outcome.out, AllOf(HasSubstr("processors"), HasSubstr("OpenCL device"),
                                  HasSubstr("real-time priority"), HasSubstr("timers"), HasSubstr("cache")));
+}
+
+TEST(CommandLine, BenchListsWhatThereIsAndDrawsIt) {
+  EXPECT_THAT(run_program({"bench"}).out, HasSubstr("noise"));
+  EXPECT_THAT(run_program({"bench", "nois"}).error, HasSubstr("did you mean 'noise'?"));
+  const TemporaryFolder folder;
+  const auto figure = folder.path() / "noise.png";
+  const Outcome outcome = run_program(
+      {"bench", "noise", "--agents", "8", "--duration", "1", "--seeds", "1", "--figure", figure.string()});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.error;
+  EXPECT_THAT(outcome.out, HasSubstr("path  curl"));
+  EXPECT_GT(std::filesystem::file_size(figure), 10'000U);
 }
 
 }  // namespace
