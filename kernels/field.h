@@ -48,10 +48,13 @@ MF_FN F3 mf_from_fence(F3 r, const MfField* field) {
 // V_g = −∇C/|∇C| · s0 (Wang14 Eq. 8). The guide holds a unit direction and C/A (m; inside the goal minus the
 // depth) in each cell. Inside its goal an agent turns to its own place there and slows down towards it: a
 // swarm fills its goal instead of piling up on its face, and does not oscillate through it. One that roams is
-// led into its goal and no further: there the noise alone moves it. `agent` is its index in the swarm.
-MF_FN F3 mf_global_velocity(F3 r, I agent, const MfCube* cube, const MfField* field, const MfTables* tables) {
+// led into its goal and no further: there the noise alone moves it. `agent` is its index in the swarm; `cost`
+// becomes what the guide says of r, m.
+MF_FN F3 mf_global_velocity(F3 r, I agent, const MfCube* cube, const MfField* field, const MfTables* tables,
+                            F* cost) {
   F guide[4];
   mf_sample4(tables->guide, cube, guide);
+  *cost = guide[3];
   const F3 down = mf3_unit(mf3(guide[0], guide[1], guide[2]));
   const F3 cruise = mf3_scale(down, mf_splat(field->cruise_speed));
   if (field->fence.kind != MF_FENCE_NONE) {
@@ -116,8 +119,8 @@ MF_FN F3 mf_field_guard(F3 r, F3 v, const MfField* field, const MF_GLOBAL float*
 // Guided velocity, pulls and the noises that do not know of walls: all that a wall only guards, and does not
 // bend.
 MF_FN F3 mf_steady_velocity(F3 r, I id, I agent, const MfCube* cube, const MfField* field,
-                            const MfMoment* moment, const MfTables* tables) {
-  F3 v = mf_global_velocity(r, agent, cube, field, tables);
+                            const MfMoment* moment, const MfTables* tables, F* cost) {
+  F3 v = mf_global_velocity(r, agent, cube, field, tables, cost);
   for (int k = 0; k < field->pulls; ++k) {
     v = mf3_add(v, mf_pull(r, id, &field->pull[k], moment, MF_STREAM_PULL + (uint)k));
   }
@@ -159,20 +162,32 @@ MF_FN I mf_swarm_agents(const MF_GLOBAL int* order, int lanes) {
   return mf_iselect(mf_lane_index() < mf_isplat(lanes), id, mf_isplat(order[0]));
 }
 
+// Where no path leads to the goal an agent holds. The guide then says 1e9 m (fields/cost_field.hpp); a
+// quarter of that will do, because in a corner of its cell an agent may have three neighbours with a way,
+// beyond a wall.
+#define MF_NO_WAY 2.5e8f
+
+MF_FN F3 mf_going(F3 v, I lost) {
+  if (!mf_any(lost)) return v;
+  return mf3_select(lost, mf3_splat(0.0f, 0.0f, 0.0f), v);
+}
+
 // The preferred velocity of eight agents at r (m), whose numbers in the whole flight are `id` and in their
 // swarm `agent`.
 MF_FN F3 mf_field_velocity(F3 r, I id, I agent, const MfField* field, const MfMoment* moment,
                            const MfTables* tables) {
   const MfCube cube = mf_cube(r, &field->grid);
-  const F3 steady = mf_steady_velocity(r, id, agent, &cube, field, moment, tables);
+  F cost;
+  const F3 steady = mf_steady_velocity(r, id, agent, &cube, field, moment, tables, &cost);
+  const I lost = cost > mf_splat(MF_NO_WAY);
   const I near_wall = field->has_walls ? mf_near_wall(&cube, field, tables->walls) : mf_isplat(0);
   if (!mf_any(near_wall)) {
     const F3 noise = mf_bent_noise(r, near_wall, 0, field, moment, tables->permutation);
-    return mf_guard_bounds(mf3_add(noise, steady), r, field);
+    return mf_guard_bounds(mf_going(mf3_add(noise, steady), lost), r, field);
   }
   const MfSurface surface = mf_surface(r, tables->walls, &field->grid);
   const F3 noise = mf_bent_noise(r, near_wall, &surface, field, moment, tables->permutation);
-  const F3 v = mf_guard_bounds(mf3_add(noise, steady), r, field);
+  const F3 v = mf_guard_bounds(mf_going(mf3_add(noise, steady), lost), r, field);
   return mf3_select(near_wall, mf_guard_wall(v, &surface, field), v);
 }
 

@@ -21,8 +21,9 @@ class GlobalVelocity : public ::testing::Test {
     const kernels::MfCube cube = kernels::mf_cube(lanes(p), &field_.grid);
     const kernels::MfTables tables{nullptr, world_.costs[0]->guide.data(), &rest.x, &rest.y, &rest.z,
                                    nullptr};
+    kernels::F cost{};
     const kernels::F3 v =
-        kernels::mf_global_velocity(lanes(p), kernels::mf_isplat(0), &cube, &field_, &tables);
+        kernels::mf_global_velocity(lanes(p), kernels::mf_isplat(0), &cube, &field_, &tables, &cost);
     return {v.x[0], v.y[0], v.z[0]};
   }
   glm::vec3 direction(glm::vec3 p) const { return glm::normalize(at(p)); }
