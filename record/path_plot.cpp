@@ -2,6 +2,7 @@
 
 #include "record/plot_drawing.hpp"
 #include "record/plot_header.hpp"
+#include "record/plot_motion.hpp"
 
 namespace mayfly::record {
 namespace {
@@ -18,6 +19,7 @@ void draw_panel(Canvas& canvas, const Panel& panel, const Scenario& scenario,
   for (const GoalSpec& goal : scenario.world.goals) {
     draw_region(canvas, panel, goal.shape, {kGoal, 2.4});
   }
+  draw_motion(canvas, panel, scenario.world);
   canvas.unclip();
   draw_axes(canvas, panel);
 }
