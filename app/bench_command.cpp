@@ -62,10 +62,9 @@ int list_benchmarks() {
 }
 
 int refuse_name(const std::string& name) {
-  std::vector<std::string> names;
-  for (const Benchmark& benchmark : kBenchmarks) {
-    names.push_back(benchmark.name);
-  }
+  std::vector<std::string> names(kBenchmarks.size());
+  std::transform(kBenchmarks.begin(), kBenchmarks.end(), names.begin(),
+                 [](const Benchmark& b) { return b.name; });
   const std::vector<Error> errors{{.message = "bench: no benchmark of that name",
                                    .found = fmt::format("'{}'", name),
                                    .wanted = list_names(names),

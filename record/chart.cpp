@@ -42,6 +42,8 @@ ChartScale scale_of(const Axis& axis, const Range& range) {
 struct Frame {
   Rectangle area;  // within the axes
   ChartScale x, y;
+  Frame(const Rectangle& within, const ChartScale& along, const ChartScale& up)
+      : area(within), x(along), y(up) {}
   glm::dvec2 at(glm::dvec2 p) const {
     return {area.x + area.width * x.fraction(p.x), area.y + area.height * (1.0 - y.fraction(p.y))};
   }
@@ -176,11 +178,13 @@ void draw_bar(Canvas& canvas, const Frame& frame, const Bar& bar, double left, d
   }
   TextStyle style = kTickStyle;
   style.align = Align::kCenter;
-  double y = bottom + 18.0;
-  for (std::size_t from = 0; from <= bar.name.size(); y += 16.0) {
+  glm::dvec2 at{middle, bottom + 18.0};
+  std::size_t from = 0;
+  while (from <= bar.name.size()) {
     const std::size_t end = std::min(bar.name.find('\n', from), bar.name.size());
-    canvas.text({middle, y}, bar.name.substr(from, end - from), style);
+    canvas.text(at, bar.name.substr(from, end - from), style);
     from = end + 1;
+    at.y += 16.0;
   }
 }
 

@@ -11,7 +11,6 @@ using record::BarChart;
 using record::Canvas;
 using record::Chart;
 using record::Color;
-using record::Rectangle;
 using record::Series;
 using record::series_color;
 

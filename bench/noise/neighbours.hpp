@@ -49,7 +49,7 @@ class Neighbours {
             static_cast<int>(std::floor(c.z))};
   }
   static std::uint64_t key_of(glm::ivec3 c) {
-    constexpr int kHalf = 1 << 20;
+    constexpr std::int64_t kHalf = 1 << 20;
     const auto part = [](int v) { return static_cast<std::uint64_t>(v + kHalf); };
     return part(c.x) | part(c.y) << 21U | part(c.z) << 42U;
   }

@@ -17,12 +17,12 @@ using ::testing::SizeIs;
 using ::testing::StartsWith;
 
 const NoiseComparison& small() {
-  static const auto made = compare_noises({.agents = 120, .duration_s = 30.0, .seeds = 2, .threads = 2});
-  if (!made) {
-    ADD_FAILURE() << to_string(made.error().front());
+  static const auto kMade = compare_noises({.agents = 120, .duration_s = 30.0, .seeds = 2, .threads = 2});
+  if (!kMade) {
+    ADD_FAILURE() << to_string(kMade.error().front());
     std::abort();
   }
-  return *made;
+  return *kMade;
 }
 
 const VariantResult& variant(SteeredBy model, NoiseKind noise) {

@@ -98,8 +98,8 @@ TEST(Measures, ClumpingIsOneByChance) {
 TEST(Measures, ClumpingTellsPairs) {
   // Pairs 0.1 m apart, 3 m from the next: each sees one within 1 m.
   const auto paired = [](std::size_t a, double) {
-    const auto pair = static_cast<double>(a / 2);
-    return glm::dvec3(100 * pair, a % 2 == 0 ? 0.0 : 0.1, 0);
+    const std::size_t pair = a / 2;
+    return glm::dvec3(100 * static_cast<double>(pair), a % 2 == 0 ? 0.0 : 0.1, 0);
   };
   const Measures m = measure(flight(20, 50, paired), kCruise).measures;
   EXPECT_EQ(m.near_share, 1);

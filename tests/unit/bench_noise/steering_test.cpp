@@ -14,12 +14,12 @@ namespace mayfly::bench {
 namespace {
 
 const Arena& arena() {
-  static const auto made = make_arena();
-  if (!made) {
-    ADD_FAILURE() << to_string(made.error().front());
+  static const auto kMade = make_arena();
+  if (!kMade) {
+    ADD_FAILURE() << to_string(kMade.error().front());
     std::abort();
   }
-  return *made;
+  return *kMade;
 }
 
 TEST(Neighbours, AreTheSameAsAmongAllPairs) {
