@@ -100,6 +100,7 @@ class DrawsAlong : public testing::TestWithParam<Along> {};
 TEST_P(DrawsAlong, AreUniformAndKnowNothingOfTheirNeighbours) {
   constexpr int kCount = 1 << 18;
   constexpr int kBins = 256;
+  constexpr double kExpected = static_cast<double>(kCount) / kBins;
   const std::vector<double> draws = draws_along(GetParam(), kCount);
   std::array<int, kBins> bins{};
   double product = 0;
@@ -110,7 +111,7 @@ TEST_P(DrawsAlong, AreUniformAndKnowNothingOfTheirNeighbours) {
   }
   double chi2 = 0;
   for (const int bin : bins) {
-    chi2 += std::pow(bin - kCount / kBins, 2) / (kCount / kBins);
+    chi2 += std::pow(bin - kExpected, 2) / kExpected;
   }
   // χ² of kBins − 1 degrees has variance 2 (kBins − 1); a product of two uniform draws has 1/144.
   EXPECT_NEAR(chi2, kBins - 1, 5 * std::sqrt(2.0 * (kBins - 1)));
