@@ -26,7 +26,8 @@ typedef struct {
   float low_x, low_y, low_z;     // m: the world's bounds, less the radius
   float high_x, high_y, high_z;  // m
   float goal_x, goal_y, goal_z;  // m: how far the goal has moved from where the rest places were laid
-  float approach_rate;           // 1/s: an agent nears a wall no faster than this times its clearance
+  float goal_vx, goal_vy, goal_vz;  // m/s: of the goal; who is in it moves with it
+  float approach_rate;              // 1/s: an agent nears a wall no faster than this times its clearance
   int pulls;
   MfPull pull[MF_MAX_PULLS];
 } MfField;
@@ -61,7 +62,7 @@ MF_FN F3 mf_global_velocity(F3 r, I agent, const MfCube* cube, const MfField* fi
     // All at once: a field that fades below the border would hold noise back, and gather agents where it
     // does.
     const I outside = mf_fence_depth(mf_from_fence(r, field), &field->fence) < mf_splat(0.0f);
-    return mf3_select(outside, cruise, mf3_splat(0.0f, 0.0f, 0.0f));
+    return mf3_select(outside, cruise, mf3_splat(field->goal_vx, field->goal_vy, field->goal_vz));
   }
   const F inside = mf_ramp(-guide[3] * (1.0f / field->goal_margin));
   const I arrived = inside > mf_splat(0.0f);
@@ -73,7 +74,8 @@ MF_FN F3 mf_global_velocity(F3 r, I agent, const MfCube* cube, const MfField* fi
   const F3 direction = mf3_unit(mf3_add(mf3_scale(down, 1.0f - inside), mf3_scale(mf3_unit(home), inside)));
   const F slowed = mf_ramp(mf3_length(home) * (1.0f / field->slow_down));
   const F speed = field->cruise_speed * (1.0f - inside * (1.0f - slowed));
-  return mf3_select(arrived, mf3_scale(direction, speed), cruise);
+  const F3 carried = mf3_scale(mf3_splat(field->goal_vx, field->goal_vy, field->goal_vz), inside);
+  return mf3_select(arrived, mf3_add(mf3_scale(direction, speed), carried), cruise);
 }
 
 // Limits the speed at which v approaches a wall to approach_rate × clearance, and leads out of the body's own

@@ -12,6 +12,9 @@ void replace(SwarmModel& swarm, const SwarmFields& fields) noexcept {
   swarm.field.goal_x = fields.goal_offset.x;
   swarm.field.goal_y = fields.goal_offset.y;
   swarm.field.goal_z = fields.goal_offset.z;
+  swarm.field.goal_vx = fields.goal_velocity.x;
+  swarm.field.goal_vy = fields.goal_velocity.y;
+  swarm.field.goal_vz = fields.goal_velocity.z;
 }
 
 }  // namespace mayfly

@@ -46,6 +46,7 @@ struct TickTime {
 struct SwarmFields {
   std::span<const float> walls, guide;  // as in SwarmModel, of the same sizes
   glm::vec3 goal_offset{0.0F};          // m: how far the goal is from where the rest places were laid
+  glm::vec3 goal_velocity{0.0F};        // m/s
 };
 
 class Engine {

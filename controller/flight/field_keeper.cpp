@@ -94,8 +94,8 @@ void FieldKeeper::tick(double time_s, const PositionColumns& at, const Motion& m
     }
   }
   for (std::size_t s = 0; s < goal_of_.size(); ++s) {
-    if (scenario_.world.goals[goal_of_[s]].path) {
-      engine.replace_fields(s, {{}, {}, motion.goal(goal_of_[s])});
+    if (const auto& path = scenario_.world.goals[goal_of_[s]].path) {
+      engine.replace_fields(s, {{}, {}, motion.goal(goal_of_[s]), path->velocity(time_s)});
     }
   }
   ages_.record(from_seconds(time_s - flown_time_s_));
@@ -115,7 +115,7 @@ void FieldKeeper::take_over(Engine& engine) noexcept {
   flown_time_s_ = set.time_s;
   for (std::size_t s = 0; s < goal_of_.size(); ++s) {
     if (const std::size_t cost = solver_.cost_of(s); cost != FieldSolver::kNone) {
-      engine.replace_fields(s, {set.walls, set.costs[cost].guide, glm::vec3(0.0F)});
+      engine.replace_fields(s, {set.walls, set.costs[cost].guide, glm::vec3(0.0F), glm::vec3(0.0F)});
     }
   }
   ++updates_;

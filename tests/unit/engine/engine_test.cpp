@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <glm/geometric.hpp>
+
 #include <limits>
 
 #include "tests/unit/engine/small_world.hpp"
@@ -82,7 +84,7 @@ TEST(Engines, FlyByFieldsThatWereReplaced) {
   for (Engine* engine : {native.get(), opencl->get()}) {
     const Columns before = fly_one_tick(*engine, world, at);
     for (std::size_t swarm = 0; swarm < 2; ++swarm) {
-      engine->replace_fields(swarm, {other.walls, other.guide, offset});
+      engine->replace_fields(swarm, {other.walls, other.guide, offset, glm::vec3(0.0F)});
     }
     Columns out(kAgents);
     engine->compute(at.positions(), kTick, out.velocities());
@@ -94,6 +96,34 @@ TEST(Engines, FlyByFieldsThatWereReplaced) {
       other.rest_z[a] = world.rest_z[a] + offset.z;
     }
     EXPECT_EQ(out, fly_one_tick(*engine, other, at)) << engine->name();
+  }
+}
+
+// Whoever is in a goal that moves is carried along; at walls and bounds the guard may hold him back.
+TEST(BothEngines, CarryAgentsWithTheirGoal) {
+  constexpr std::size_t kAgents = 400;
+  SmallWorld world(kAgents, 0.0F);
+  for (std::size_t cell = 0; cell < world.walls.size(); ++cell) {
+    world.guide[4 * cell + 3] -= 100.0F;  // everybody is deep in the goal
+  }
+  const glm::vec3 velocity(0.3F, -0.2F, 0.1F);
+  const Columns at = scattered(kAgents, 11);
+  auto opencl = make_opencl_engine();
+  ASSERT_TRUE(opencl) << to_string(opencl.error());
+  const auto native = make_native_engine(1);
+  for (Engine* engine : {native.get(), opencl->get()}) {
+    const Columns before = fly_one_tick(*engine, world, at);
+    for (std::size_t swarm = 0; swarm < 2; ++swarm) {
+      engine->replace_fields(swarm, {{}, {}, glm::vec3(0.0F), velocity});
+    }
+    Columns out(kAgents);
+    engine->compute(at.positions(), kTick, out.velocities());
+    std::size_t carried = 0;
+    for (std::size_t a = 0; a < kAgents; ++a) {
+      const glm::vec3 more(out.x[a] - before.x[a], out.y[a] - before.y[a], out.z[a] - before.z[a]);
+      carried += glm::distance(more, velocity) < 1e-4F ? 1U : 0U;
+    }
+    EXPECT_GT(carried, kAgents / 2) << engine->name();
   }
 }
 
