@@ -100,7 +100,7 @@ SwarmModel LocustWorld::swarm(std::size_t agents) {
   model.separation = static_cast<float>(std::cbrt(0.009 / (4.19 * density)));
   model.mde_sweeps = 8;
   kernels::MfField& f = model.field;
-  f.grid = {0, 0, 0, 1, 1, grid_.cells.x, grid_.cells.y, grid_.cells.z};
+  f.grid = {0, 0, 0, 1, 1, grid_.cells.x, grid_.cells.y, grid_.cells.z, 0};
   f.noise.octaves = 1;
   f.noise.seed = 3;
   f.noise.inverse_scale[0] = 1 / 0.6F;

@@ -27,8 +27,8 @@ int main() {
   if (!cost) return std::fprintf(stderr, "%s\n", to_string(cost.error()).c_str()), 1;
 
   // As an agent samples them. Kernels take eight points at a time; here all eight are the same.
-  const kernels::MfGrid table{grid->origin.x,    grid->origin.y, grid->origin.z, grid->cell,
-                              1.0F / grid->cell, grid->cells.x,  grid->cells.y,  grid->cells.z};
+  const kernels::MfGrid table{grid->origin.x, grid->origin.y, grid->origin.z, grid->cell, 1.0F / grid->cell,
+                              grid->cells.x,  grid->cells.y,  grid->cells.z,  0};
   const kernels::F3 p = kernels::mf3_splat(5.0F, 6.0F, 5.0F);
   const std::vector<float> spline = fields::spline_coefficients(*grid, distance->distance);
   const kernels::MfSurface wall = kernels::mf_surface(p, spline.data(), &table);

@@ -114,13 +114,15 @@ float CostField::cost_at(glm::vec3 p) const {
       return kUnreachedCost;
     }
   }
-  const glm::ivec3 last = grid.cells - 1;
-  const glm::ivec3 home = glm::min(glm::ivec3(u), last);
-  const glm::ivec3 corner = glm::ivec3(glm::floor(u - 0.5F));
+  const Lattice cells = nested ? nested->lattice_at(p) : Lattice{grid, 0};
+  const glm::vec3 local = (p - cells.grid.origin) / cells.grid.cell;
+  const glm::ivec3 last = cells.grid.cells - 1;
+  const glm::ivec3 home = glm::clamp(glm::ivec3(local), glm::ivec3(0), last);
+  const glm::ivec3 corner = glm::ivec3(glm::floor(local - 0.5F));
   float nearest = std::numeric_limits<float>::infinity();
   float cost = kUnreachedCost;
   const auto consider = [&](glm::ivec3 at, float distance) {
-    const std::size_t cell = grid.index(at.x, at.y, at.z);
+    const std::size_t cell = cells.entry(at);
     if (kind[cell] != CellKind::kBlocked && distance < nearest) {
       nearest = distance;
       cost = kind[cell] == CellKind::kReached ? guide[4 * cell + 3] : kUnreachedCost;
@@ -129,7 +131,7 @@ float CostField::cost_at(glm::vec3 p) const {
   consider(home, 0.0F);
   for (int k = 0; k < 8; ++k) {
     const glm::ivec3 at = glm::clamp(corner + glm::ivec3(k & 1, k >> 1 & 1, k >> 2), glm::ivec3(0), last);
-    consider(at, glm::distance(p, grid.center(at.x, at.y, at.z)));
+    consider(at, glm::distance(p, cells.center(at)));
   }
   return cost;
 }
@@ -139,12 +141,15 @@ bool CostField::reaches(glm::vec3 p) const {
 }
 
 std::optional<glm::vec3> CostField::unreachable_in(const Box& region) const {
-  for (std::size_t cell = 0; unreachable > 0 && cell < kind.size(); ++cell) {
-    if (kind[cell] == CellKind::kUnreachable && region.contains(center_of(grid, cell))) {
-      return center_of(grid, cell);
-    }
+  std::optional<glm::vec3> first;
+  if (unreachable > 0) {
+    for_each_cell([&](std::size_t cell, glm::vec3 center, float) {
+      if (!first && kind[cell] == CellKind::kUnreachable && region.contains(center)) {
+        first = center;
+      }
+    });
   }
-  return std::nullopt;
+  return first;
 }
 
 std::string describe_unreachable(const CostField& field, std::string_view goal) {

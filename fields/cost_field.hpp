@@ -5,12 +5,14 @@
 #include <cstddef>
 #include <cstdint>
 #include <glm/vec3.hpp>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "core/grid.hpp"
+#include "core/nested_grid.hpp"
 #include "core/progress.hpp"
 #include "core/result.hpp"
 #include "fields/cost_terms.hpp"
@@ -35,6 +37,9 @@ inline constexpr float kUnreachableGuide = 1e9F;
 
 struct CostField {
   Grid grid;
+  // Null for one value a cell of `grid`; else guide and kind have one an entry of this, and `grid` is its
+  // fine grid.
+  std::shared_ptr<const NestedGrid> nested;
   // Four floats a cell: a direction (x, y, z) and C/A in m. To be interpolated trilinearly between cell
   // centres, then normalised. In a reached cell the direction is −∇C/|∇C|, turned along the wall where one is
   // near, of length 1; 0 only at the deepest places of the goal. Inside the goal C/A is minus the depth. A
@@ -51,9 +56,25 @@ struct CostField {
   // way to the goal from there, or p is outside the grid, not a number, or surrounded by blocked cells.
   float cost_at(glm::vec3 p) const;
   bool reaches(glm::vec3 p) const;
+  // visit(entry, center, side) for every cell in which the field was solved; center and side in m.
+  void for_each_cell(const auto& visit) const;
   // The centre of the first unreachable cell whose centre is in `region`.
   std::optional<glm::vec3> unreachable_in(const Box& region) const;
 };
+
+void CostField::for_each_cell(const auto& visit) const {
+  if (nested) {
+    nested->for_each_leaf([&](const NestedGrid::Leaf& leaf) { visit(leaf.entry, leaf.center, leaf.side); });
+    return;
+  }
+  for (int k = 0; k < grid.cells.z; ++k) {
+    for (int j = 0; j < grid.cells.y; ++j) {
+      for (int i = 0; i < grid.cells.x; ++i) {
+        visit(grid.index(i, j, k), grid.center(i, j, k), grid.cell);
+      }
+    }
+  }
+}
 
 // max(clearance, ½ cell), less a thousandth so that rounding does not close a passage that fits exactly.
 // Cells nearer to an obstacle are impassable. With at least half a cell every wall that is thicker than a

@@ -4,6 +4,7 @@
 #define MAYFLY_KERNELS_FIELD_H
 
 #include "kernels/boundary.h"
+#include "kernels/bricks.h"
 #include "kernels/fence.h"
 #include "kernels/pull.h"
 #include "kernels/random_noise.h"
@@ -51,10 +52,10 @@ MF_FN F3 mf_from_fence(F3 r, const MfField* field) {
 // swarm fills its goal instead of piling up on its face, and does not oscillate through it. One that roams is
 // led into its goal and no further: there the noise alone moves it. `agent` is its index in the swarm; `cost`
 // becomes what the guide says of r, m.
-MF_FN F3 mf_global_velocity(F3 r, I agent, const MfCube* cube, const MfField* field, const MfTables* tables,
-                            F* cost) {
+MF_FN F3 mf_global_velocity(F3 r, I agent, const MfAround* around, const MfField* field,
+                            const MfTables* tables, F* cost) {
   F guide[4];
-  mf_sample4(tables->guide, cube, guide);
+  mf_around_sample4(tables->guide, around, &field->grid, guide);
   *cost = guide[3];
   const F3 down = mf3_unit(mf3(guide[0], guide[1], guide[2]));
   const F3 cruise = mf3_scale(down, mf_splat(field->cruise_speed));
@@ -100,7 +101,11 @@ MF_FN F3 mf_guard_bounds(F3 v, F3 r, const MfField* field) {
 
 // Where a wall may be felt. The coefficient of the nearest cell tells of most agents that none is near: it
 // differs from the interpolated one by little more than the way between them, 0.87 cells at the most.
-MF_FN I mf_near_wall(const MfCube* cube, const MfField* field, const MF_GLOBAL float* walls) {
+MF_FN I mf_near_wall(const MfAround* around, const MfField* field, const MF_GLOBAL float* walls) {
+  if (field->grid.nested) {
+    return mf_place_near_wall(&around->place, walls, &around->corners, &field->grid, field->wall_reach);
+  }
+  const MfCube* cube = &around->cube;
   const F nearest = mf_gather(walls, mf_nearest_corner(cube));
   const I perhaps = nearest < mf_splat(field->wall_reach + 1.25f * field->grid.cell);
   if (!mf_any(perhaps)) return perhaps;
@@ -111,18 +116,18 @@ MF_FN I mf_near_wall(const MfCube* cube, const MfField* field, const MF_GLOBAL f
 MF_FN F3 mf_field_guard(F3 r, F3 v, const MfField* field, const MF_GLOBAL float* walls) {
   const F3 inside = mf_guard_bounds(v, r, field);
   if (!field->has_walls) return inside;
-  const MfCube cube = mf_cube(r, &field->grid);
-  const I near_wall = mf_near_wall(&cube, field, walls);
+  const MfAround around = mf_around(r, walls, &field->grid);
+  const I near_wall = mf_near_wall(&around, field, walls);
   if (!mf_any(near_wall)) return inside;
-  const MfSurface surface = mf_surface(r, walls, &field->grid);
+  const MfSurface surface = mf_around_surface(r, &around, walls, &field->grid);
   return mf3_select(near_wall, mf_guard_wall(inside, &surface, field), inside);
 }
 
 // Guided velocity, pulls and the noises that do not know of walls: all that a wall only guards, and does not
 // bend.
-MF_FN F3 mf_steady_velocity(F3 r, I id, I agent, const MfCube* cube, const MfField* field,
+MF_FN F3 mf_steady_velocity(F3 r, I id, I agent, const MfAround* around, const MfField* field,
                             const MfMoment* moment, const MfTables* tables, F* cost) {
-  F3 v = mf_global_velocity(r, agent, cube, field, tables, cost);
+  F3 v = mf_global_velocity(r, agent, around, field, tables, cost);
   for (int k = 0; k < field->pulls; ++k) {
     v = mf3_add(v, mf_pull(r, id, &field->pull[k], moment, MF_STREAM_PULL + (uint)k));
   }
@@ -178,16 +183,16 @@ MF_FN F3 mf_going(F3 v, I lost) {
 // swarm `agent`.
 MF_FN F3 mf_field_velocity(F3 r, I id, I agent, const MfField* field, const MfMoment* moment,
                            const MfTables* tables) {
-  const MfCube cube = mf_cube(r, &field->grid);
+  const MfAround around = mf_around(r, tables->walls, &field->grid);
   F cost;
-  const F3 steady = mf_steady_velocity(r, id, agent, &cube, field, moment, tables, &cost);
+  const F3 steady = mf_steady_velocity(r, id, agent, &around, field, moment, tables, &cost);
   const I lost = cost > mf_splat(MF_NO_WAY);
-  const I near_wall = field->has_walls ? mf_near_wall(&cube, field, tables->walls) : mf_isplat(0);
+  const I near_wall = field->has_walls ? mf_near_wall(&around, field, tables->walls) : mf_isplat(0);
   if (!mf_any(near_wall)) {
     const F3 noise = mf_bent_noise(r, near_wall, 0, field, moment, tables->permutation);
     return mf_guard_bounds(mf_going(mf3_add(noise, steady), lost), r, field);
   }
-  const MfSurface surface = mf_surface(r, tables->walls, &field->grid);
+  const MfSurface surface = mf_around_surface(r, &around, tables->walls, &field->grid);
   const F3 noise = mf_bent_noise(r, near_wall, &surface, field, moment, tables->permutation);
   const F3 v = mf_guard_bounds(mf_going(mf3_add(noise, steady), lost), r, field);
   return mf3_select(near_wall, mf_guard_wall(v, &surface, field), v);

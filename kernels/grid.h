@@ -11,6 +11,7 @@ typedef struct {
   float origin_x, origin_y, origin_z;  // m, corner of cell (0,0,0)
   float cell, inverse_cell;            // m, 1/m
   int nx, ny, nz;
+  int nested;  // 1: `cell` is that of the bricks, nx, ny and nz count coarse cells (kernels/bricks.h)
 } MfGrid;
 
 // A scalar at a point with its first and second derivatives (per metre).
@@ -123,18 +124,13 @@ MF_FN MfSpline mf_spline(F t) {
   return s;
 }
 
-// The quadratic B-spline through a scalar table: C¹, so that a potential made of it has a curl without
-// divergence.
-MF_FN MfSurface mf_surface(F3 r, const MF_GLOBAL float* table, const MfGrid* g) {
+// The spline on the 27 cells of entries x[i] + y[j] + z[k]; t: cells from the middle one's centre.
+MF_FN MfSurface mf_surface_of(const MF_GLOBAL float* table, const I* x, const I* y, const I* z, F3 t,
+                              float inverse_cell) {
   const float second[3] = {1.0f, -2.0f, 1.0f};
-  const F3 u = mf_cell_coordinates(r, g);
-  const I ix = mf_floor(u.x + 0.5f);
-  const I iy = mf_floor(u.y + 0.5f);
-  const I iz = mf_floor(u.z + 0.5f);
-  const MfSpline sx = mf_spline(u.x - mf_to_float(ix));
-  const MfSpline sy = mf_spline(u.y - mf_to_float(iy));
-  const MfSpline sz = mf_spline(u.z - mf_to_float(iz));
-  const I x[3] = {mf_clamp_index(ix - 1, g->nx), mf_clamp_index(ix, g->nx), mf_clamp_index(ix + 1, g->nx)};
+  const MfSpline sx = mf_spline(t.x);
+  const MfSpline sy = mf_spline(t.y);
+  const MfSpline sz = mf_spline(t.z);
   const F zero = mf_splat(0.0f);
   MfSurface s;
   s.value = zero;
@@ -146,9 +142,8 @@ MF_FN MfSurface mf_surface(F3 r, const MF_GLOBAL float* table, const MfGrid* g) 
   s.xz = zero;
   s.yz = zero;
   for (int k = 0; k < 3; ++k) {
-    const I plane = mf_clamp_index(iz + (k - 1), g->nz) * g->ny;
     for (int j = 0; j < 3; ++j) {
-      const I row = (plane + mf_clamp_index(iy + (j - 1), g->ny)) * g->nx;
+      const I row = y[j] + z[k];
       F v = zero;
       F vx = zero;
       F vxx = zero;
@@ -173,7 +168,7 @@ MF_FN MfSurface mf_surface(F3 r, const MF_GLOBAL float* table, const MfGrid* g) 
       s.yz += sy.d[j] * sz.d[k] * v;
     }
   }
-  const F per_cell = mf_splat(g->inverse_cell);
+  const F per_cell = mf_splat(inverse_cell);
   const F per_cell2 = per_cell * per_cell;
   s.gradient = mf3_scale(s.gradient, per_cell);
   s.xx *= per_cell2;
@@ -183,6 +178,23 @@ MF_FN MfSurface mf_surface(F3 r, const MF_GLOBAL float* table, const MfGrid* g) 
   s.xz *= per_cell2;
   s.yz *= per_cell2;
   return s;
+}
+
+// The quadratic B-spline through a scalar table: C¹, so that a potential made of it has a curl without
+// divergence.
+MF_FN MfSurface mf_surface(F3 r, const MF_GLOBAL float* table, const MfGrid* g) {
+  const F3 u = mf_cell_coordinates(r, g);
+  const I ix = mf_floor(u.x + 0.5f);
+  const I iy = mf_floor(u.y + 0.5f);
+  const I iz = mf_floor(u.z + 0.5f);
+  const F3 t = mf3(u.x - mf_to_float(ix), u.y - mf_to_float(iy), u.z - mf_to_float(iz));
+  I x[3], y[3], z[3];
+  for (int k = 0; k < 3; ++k) {
+    x[k] = mf_clamp_index(ix + (k - 1), g->nx);
+    y[k] = mf_clamp_index(iy + (k - 1), g->ny) * g->nx;
+    z[k] = mf_clamp_index(iz + (k - 1), g->nz) * (g->nx * g->ny);
+  }
+  return mf_surface_of(table, x, y, z, t, g->inverse_cell);
 }
 
 MF_END

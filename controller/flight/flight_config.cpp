@@ -15,7 +15,7 @@ constexpr double kStateSeconds = 0.1;
 ObstacleView obstacle_view(const World& world, const Motion& motion) {
   ObstacleView view;
   if (!world.solid.empty()) {
-    view.sampled = {world.distance.distance.data(), world.grid};
+    view.sampled = {world.distance.distance.data(), world.grid, world.nested.get()};
     view.exact = [&solid = world.solid](glm::vec3 p) { return solid.signed_distance(p); };
   }
   view.moving = moving_obstacles(world.moving, motion);

@@ -25,9 +25,11 @@ std::optional<HalSpec> hal_of(const Scenario& scenario, const SwarmSpec& swarm) 
   return hal == scenario.hals.end() ? std::nullopt : std::optional(*hal);
 }
 
-kernels::MfGrid kernel_grid(const Grid& grid) {
-  return {grid.origin.x,    grid.origin.y, grid.origin.z, grid.cell,
-          1.0F / grid.cell, grid.cells.x,  grid.cells.y,  grid.cells.z};
+kernels::MfGrid kernel_grid(const World& world) {
+  const Grid& grid = world.grid;
+  const glm::ivec3 cells = world.nested ? world.nested->coarse.cells : grid.cells;
+  return {grid.origin.x, grid.origin.y, grid.origin.z, grid.cell,           1.0F / grid.cell,
+          cells.x,       cells.y,       cells.z,       world.nested ? 1 : 0};
 }
 
 // By how much two robots may come nearer than the points that are steered, m. One that lags by τ trails its
@@ -58,11 +60,11 @@ float enforced_distance(const Scenario& scenario, const SwarmSpec& swarm, bool i
 // The deepest place of the goal, m from its surface: the guide holds minus the depth there.
 float goal_depth(const fields::CostField& cost) {
   float least = 0.0F;
-  for (std::size_t cell = 0; cell < cost.kind.size(); ++cell) {
+  cost.for_each_cell([&](std::size_t cell, glm::vec3, float) {
     if (cost.kind[cell] == fields::CellKind::kReached) {
       least = std::min(least, cost.guide[4 * cell + 3]);
     }
-  }
+  });
   return -least;
 }
 
@@ -97,7 +99,7 @@ kernels::MfFence fence_of(const Scenario& scenario, const SwarmSpec& swarm) {
 kernels::MfField kernel_field(const Scenario& scenario, const SwarmSpec& swarm, const World& world,
                               float depth, const kernels::MfNoise& noise) {
   kernels::MfField field{};
-  field.grid = kernel_grid(world.grid);
+  field.grid = kernel_grid(world);
   field.noise = noise;
   field.has_noise = swarm.noise.kind == NoiseKind::kNone ? 0 : 1;
   field.has_walls = world.solid.empty() && world.moving.empty() ? 0 : 1;

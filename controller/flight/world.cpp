@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "controller/flight/kernel_parts.hpp"
+#include "controller/flight/nested_world.hpp"
 #include "controller/flight/world_costs.hpp"
 #include "fields/cache.hpp"
 #include "fields/careful_walls.hpp"
@@ -26,6 +27,9 @@ class Builder {
       : scenario_(scenario), threads_(threads), progress_(progress) {}
 
   tl::expected<World, std::vector<Error>> build() {
+    if (scenario_.world.coarse_cell) {
+      return build_nested();
+    }
     auto grid = fields::make_grid(scenario_.world.bounds, scenario_.world.cell);
     auto solid = make_solid();
     auto moving = make_moving_bodies(scenario_, threads_);
@@ -45,6 +49,7 @@ class Builder {
     }
     std::vector<float> walls = make_walls(*solid, *distance);
     World world{.grid = *grid,
+                .nested = nullptr,
                 .solid = std::move(*solid),
                 .distance = std::move(*distance),
                 .moving = std::move(*moving),
@@ -62,6 +67,39 @@ class Builder {
   }
 
  private:
+  tl::expected<World, std::vector<Error>> build_nested() {
+    errors_ = nested_refusals(scenario_);
+    auto solid = make_solid();
+    auto goals = make_goals();
+    if (!errors_.empty()) {
+      return tl::unexpected(std::move(errors_));
+    }
+    const auto start = SteadyClock::now();
+    auto field = make_nested_distance(scenario_, *solid, goals, threads_, progress_);
+    if (!field) {
+      return tl::unexpected(std::vector<Error>{std::move(field.error())});
+    }
+    std::vector<float> walls = fields::nested_walls(*field, threads_, progress_);
+    timing_.distance += seconds_since(start);
+    const Grid fine = field->nested.fine();
+    World world{.grid = fine,
+                .nested = std::make_shared<const NestedGrid>(std::move(field->nested)),
+                .solid = std::move(*solid),
+                .distance = {fine, std::move(field->distance)},
+                .moving = {},
+                .walls = std::move(walls),
+                .goals = std::move(goals),
+                .costs = {},
+                .solver = nullptr,
+                .preprocessing = timing_,
+                .warnings = {}};
+    errors_ = WorldCosts(scenario_, threads_, progress_).add_to(world);
+    if (!errors_.empty()) {
+      return tl::unexpected(std::move(errors_));
+    }
+    return world;
+  }
+
   Result<fields::Geometry> make_solid() {
     const auto start = SteadyClock::now();
     std::vector<fields::PlacedShape> shapes;

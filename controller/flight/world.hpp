@@ -9,6 +9,7 @@
 #include "controller/flight/moving_body.hpp"
 #include "controller/flight/summary.hpp"
 #include "controller/scenario/scenario.hpp"
+#include "core/nested_grid.hpp"
 #include "core/progress.hpp"
 #include "fields/cost_field.hpp"
 #include "fields/distance_field.hpp"
@@ -18,6 +19,8 @@ namespace mayfly {
 
 struct World {
   Grid grid;
+  // Given: distance, walls and costs lie on this, and `grid` is the fine grid that its bricks are cut from.
+  std::shared_ptr<const NestedGrid> nested{};
   fields::Geometry solid;          // exact, all obstacles that stand still
   fields::DistanceField distance;  // of the same
   std::vector<MovingBody> moving;  // the other obstacles

@@ -6,6 +6,7 @@
 #include "controller/flight/field_margin.hpp"
 #include "controller/flight/swarm_cost.hpp"
 #include "fields/goal.hpp"
+#include "fields/nested_cost.hpp"
 
 namespace mayfly {
 
@@ -89,6 +90,12 @@ void WorldCosts::refuse(Error error, const SwarmSpec& swarm) {
 }
 
 Result<fields::CostField> WorldCosts::load_or_solve(const World& world, const SwarmSpec& swarm) {
+  if (world.nested) {
+    cached_ = false;
+    return fields::build_nested_cost({world.nested, world.distance.distance},
+                                     world.goals[goal_index(scenario_, swarm)], cost_params(swarm), threads_,
+                                     progress_);
+  }
   const GoalSpec& goal = scenario_.world.goals[goal_index(scenario_, swarm)];
   auto region = fields::build_goal_distance({goal.shape, goal.place}, world.grid, threads_, progress_);
   if (!region) {

@@ -5,6 +5,7 @@
 #include <glm/vec3.hpp>
 
 #include "core/grid.hpp"
+#include "core/nested_grid.hpp"
 
 namespace mayfly {
 
@@ -18,6 +19,7 @@ namespace mayfly {
 struct DistanceView {
   const float* data = nullptr;
   Grid grid;
+  const NestedGrid* nested = nullptr;  // given: what `data` lies on; `grid` is not looked at
 
   struct Sample {
     double value = 0.0;  // m, interpolated
@@ -29,9 +31,18 @@ struct DistanceView {
   // x, y, z in m, finite. Outside the centres' box the nearest point of it answers; the way to it adds to the
   // error.
   Sample sample(double x, double y, double z) const noexcept {
-    const Axis ax = axis(x, grid.origin.x, grid.cells.x);
-    const Axis ay = axis(y, grid.origin.y, grid.cells.y);
-    const Axis az = axis(z, grid.origin.z, grid.cells.z);
+    if (nested == nullptr) {
+      return sample_on(grid, data, x, y, z);
+    }
+    const Lattice cells = nested->lattice_at(glm::vec3(x, y, z));
+    return sample_on(cells.grid, data + cells.first, x, y, z);
+  }
+
+ private:
+  static Sample sample_on(const Grid& grid, const float* data, double x, double y, double z) noexcept {
+    const Axis ax = axis(x, grid.origin.x, grid.cell, grid.cells.x);
+    const Axis ay = axis(y, grid.origin.y, grid.cell, grid.cells.y);
+    const Axis az = axis(z, grid.origin.z, grid.cell, grid.cells.z);
     const auto row = [&](int j, int k) {
       const double a = data[grid.index(ax.low, j, k)];
       return a + ax.t * (data[grid.index(ax.high, j, k)] - a);
@@ -47,15 +58,14 @@ struct DistanceView {
     return {a + az.t * (plane(az.high) - a), grid.cell * (std::sqrt(spread) + outside)};
   }
 
- private:
   struct Axis {
     int low, high;
     double t;        // from low to high
     double outside;  // cells from the point to the centres' box
   };
 
-  Axis axis(double value, float origin, int cells) const noexcept {
-    const double at = (value - origin) / grid.cell - 0.5;
+  static Axis axis(double value, float origin, float cell, int cells) noexcept {
+    const double at = (value - origin) / cell - 0.5;
     const double last = cells - 1;
     const double inside = at > 0.0 ? (at < last ? at : last) : 0.0;
     const int low = static_cast<int>(inside);

@@ -58,7 +58,7 @@ struct SmallWorld {
     model.separation = separation;
     model.mde_sweeps = 20;
     kernels::MfField& f = model.field;
-    f.grid = {0, 0, 0, 1, 1, kCells, kCells, kCells};
+    f.grid = {0, 0, 0, 1, 1, kCells, kCells, kCells, 0};
     f.noise.octaves = 1;
     f.noise.seed = seed;
     f.noise.inverse_scale[0] = 1 / 0.4F;

@@ -18,12 +18,12 @@ class GlobalVelocity : public ::testing::Test {
  protected:
   glm::vec3 at(glm::vec3 p, glm::vec3 rest = kRest) const {
     const auto lanes = [](glm::vec3 v) { return kernels::mf3_splat(v.x, v.y, v.z); };
-    const kernels::MfCube cube = kernels::mf_cube(lanes(p), &field_.grid);
+    const kernels::MfAround around = kernels::mf_around(lanes(p), world_.walls.data(), &field_.grid);
     const kernels::MfTables tables{nullptr, world_.costs[0]->guide.data(), &rest.x, &rest.y, &rest.z,
                                    nullptr};
     kernels::F cost{};
     const kernels::F3 v =
-        kernels::mf_global_velocity(lanes(p), kernels::mf_isplat(0), &cube, &field_, &tables, &cost);
+        kernels::mf_global_velocity(lanes(p), kernels::mf_isplat(0), &around, &field_, &tables, &cost);
     return {v.x[0], v.y[0], v.z[0]};
   }
   glm::vec3 direction(glm::vec3 p) const { return glm::normalize(at(p)); }

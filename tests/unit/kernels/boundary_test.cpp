@@ -20,8 +20,8 @@ constexpr float kD0 = 1.0F;
 constexpr std::uint32_t kSeed = 21;
 
 MfGrid grid() {
-  return {kGrid.origin.x, kGrid.origin.y, kGrid.origin.z, kGrid.cell,
-          1 / kGrid.cell, kGrid.cells.x,  kGrid.cells.y,  kGrid.cells.z};
+  return {kGrid.origin.x, kGrid.origin.y, kGrid.origin.z, kGrid.cell, 1 / kGrid.cell,
+          kGrid.cells.x,  kGrid.cells.y,  kGrid.cells.z,  0};
 }
 
 // A ball of radius 4 at the origin.

@@ -20,7 +20,7 @@ using test::Points;
 const Grid kGrid{{-8.0F, -8.0F, -8.0F}, 1.0F, {16, 16, 16}};
 
 MfGrid of(const Grid& g) {
-  return {g.origin.x, g.origin.y, g.origin.z, g.cell, 1.0F / g.cell, g.cells.x, g.cells.y, g.cells.z};
+  return {g.origin.x, g.origin.y, g.origin.z, g.cell, 1.0F / g.cell, g.cells.x, g.cells.y, g.cells.z, 0};
 }
 
 template <class Function>
