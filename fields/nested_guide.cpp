@@ -34,7 +34,8 @@ class NestedGuide {
       return;
     }
     if (field_.kind[c] != CellKind::kReached) {
-      set(c, glm::vec3(0.0F), kUnreachableGuide);
+      // Who is beside an obstacle must not take its inside for a place without a way.
+      set(c, glm::vec3(0.0F), field_.kind[c] == CellKind::kBlocked ? 0.0F : kUnreachableGuide);
       return;
     }
     const glm::vec3 way = in_.costs.rays[c].from - nested_.coarse.center(at.x, at.y, at.z);
@@ -100,7 +101,7 @@ class NestedGuide {
     const std::size_t c = nested_.coarse_lattice().entry(at);
     const bool reached = sum != glm::vec4(0.0F);
     field_.kind[c] = reached ? CellKind::kReached : CellKind::kBlocked;
-    set(c, glm::vec3(sum), reached ? sum.w : kUnreachableGuide);
+    set(c, glm::vec3(sum), sum.w);
   }
 
   void blend(glm::ivec3 at) {
