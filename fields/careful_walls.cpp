@@ -59,8 +59,8 @@ void widen(const Grid& grid, int axis, std::vector<float>& values) {
 void lower_walls(const Geometry& solid, const DistanceField& distance, int threads,
                  std::span<float> coefficients) {
   const Grid& grid = distance.grid;
-  const kernels::MfGrid lookup{grid.origin.x,    grid.origin.y, grid.origin.z, grid.cell,
-                               1.0F / grid.cell, grid.cells.x,  grid.cells.y,  grid.cells.z};
+  const kernels::MfGrid lookup{grid.origin.x, grid.origin.y, grid.origin.z, grid.cell, 1.0F / grid.cell,
+                               grid.cells.x,  grid.cells.y,  grid.cells.z,  0};
   std::vector<float> excess(grid.size(), 0.0F);
   const auto plane = [&](std::size_t k) {
     for (int j = 0; j < grid.cells.y; ++j) {

@@ -22,8 +22,9 @@ struct Walls {
 
   // What the kernels see.
   static float told(const std::vector<float>& coefficients, glm::vec3 p) {
-    const kernels::MfGrid lookup{kGrid.origin.x,    kGrid.origin.y, kGrid.origin.z, kGrid.cell,
-                                 1.0F / kGrid.cell, kGrid.cells.x,  kGrid.cells.y,  kGrid.cells.z};
+    const kernels::MfGrid lookup{kGrid.origin.x, kGrid.origin.y,    kGrid.origin.z,
+                                 kGrid.cell,     1.0F / kGrid.cell, kGrid.cells.x,
+                                 kGrid.cells.y,  kGrid.cells.z,     0};
     return kernels::mf_surface(kernels::mf3_splat(p.x, p.y, p.z), coefficients.data(), &lookup).value[0];
   }
 };
