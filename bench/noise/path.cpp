@@ -21,10 +21,10 @@ void guided_velocities(const Arena& arena, std::span<const glm::vec3> at, std::s
   const kernels::MfTables tables = arena.tables();
   for (std::size_t a = 0; a < at.size(); a += MF_LANES) {
     const kernels::F3 r = lanes_of(at, a);
-    const kernels::MfCube cube = kernels::mf_cube(r, &arena.field.grid);
+    const kernels::MfAround around = kernels::mf_around(r, nullptr, &arena.field.grid);
     kernels::F cost;
     const kernels::F3 v =
-        kernels::mf_global_velocity(r, kernels::mf_isplat(0), &cube, &arena.field, &tables, &cost);
+        kernels::mf_global_velocity(r, kernels::mf_isplat(0), &around, &arena.field, &tables, &cost);
     store_lanes(v, velocity, a);
   }
 }
