@@ -128,10 +128,9 @@ int run(const RunOptions& options) {
     line.clear();
     log_warning(to_string(warning));
   };
-  const auto ready = prepare(*scenario, {.threads = options.threads,
-                                         .in_real_time = !options.fast,
-                                         .progress = line.stages(),
-                                         .warn = warn});
+  const auto ready = prepare(
+      *scenario,
+      {.threads = options.threads, .in_real_time = !options.fast, .progress = line.stages(), .warn = warn});
   line.clear();
   if (!ready) {
     return refuse(ready.error());

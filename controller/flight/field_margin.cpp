@@ -36,7 +36,8 @@ float obstacle_margin(const Scenario& scenario, const PathSpec& path, double fro
   }
   const auto on_the_way = static_cast<float>(0.5 * (until_s - from_s));
   const auto half_period = static_cast<float>(0.5 * field_period(scenario));
-  return kSharpness * scenario.world.cell + path.speed * (on_the_way + half_period + 1.0F / approach_rate(scenario) + lag + turn * path.speed);
+  return kSharpness * scenario.world.cell +
+         path.speed * (on_the_way + half_period + 1.0F / approach_rate(scenario) + lag + turn * path.speed);
 }
 
 std::vector<float> wall_lengths(const Scenario& scenario, const Grid& grid) {

@@ -1,11 +1,29 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <glm/geometric.hpp>
+#include <vector>
 
 #include "controller/scenario/build.hpp"
 
 namespace mayfly {
+namespace {
+
+void check_points(const Values& values, const std::vector<glm::vec3>& points, Findings& findings) {
+  if (std::all_of(points.begin(), points.end(), [&](glm::vec3 point) { return point == points.front(); })) {
+    findings.error(values.mark("points"), "this path leads nowhere", "the same point again and again",
+                   "points at two places or more");
+    return;
+  }
+  if (const auto twice = std::adjacent_find(points.begin(), points.end()); twice != points.end()) {
+    const YamlNode& second =
+        values.node("points")->items[static_cast<std::size_t>(twice - points.begin()) + 1];
+    findings.error(second.mark, "this point of a path is the one before it again",
+                   fmt::format("[{:g}, {:g}, {:g}]", twice->x, twice->y, twice->z),
+                   "another point: nothing waits on a path");
+  }
+}
+
+}  // namespace
 
 std::optional<PathSpec> build_path(const Values& shape, Findings& findings) {
   if (!shape.has("path")) {
@@ -19,11 +37,7 @@ std::optional<PathSpec> build_path(const Values& shape, Findings& findings) {
   path.speed = values.number_f("speed");
   path.loop = values.flag("loop");
   path.place = shape.mark("path").place();
-  if (std::all_of(path.points.begin(), path.points.end(),
-                  [&](glm::vec3 point) { return point == path.points.front(); })) {
-    findings.error(values.mark("points"), "this path leads nowhere", "the same point again and again",
-                   "points at two places or more");
-  }
+  check_points(values, path.points, findings);
   return path;
 }
 

@@ -184,8 +184,9 @@ void add_swarm_rows(Rows& rows) {
                   .type = KeyType::kChoice,
                   .fallback = "rest",
                   .choices = {"rest", "roam"},
-                  .text = "What agents do in their goal: `rest`, each at a place of its own, or `roam` there, "
-                          "moved by noise alone and led back when they leave (Wang14's aggregation)."});
+                  .text =
+                      "What agents do in their goal: `rest`, each at a place of its own, or `roam` there, "
+                      "moved by noise alone and led back when they leave (Wang14's aggregation)."});
   rows.push_back({.path = at + ".model",
                   .type = KeyType::kChoice,
                   .fallback = "field",

@@ -1,5 +1,4 @@
-// Both engines against each other, against themselves on other numbers of threads, and minimum distance
-// against brute force.
+// Both engines against each other, and minimum distance against brute force.
 #include "controller/engine/engine.hpp"
 
 #include <gtest/gtest.h>
@@ -124,15 +123,6 @@ TEST(BothEngines, CarryAgentsWithTheirGoal) {
       carried += glm::distance(more, velocity) < 1e-4F ? 1U : 0U;
     }
     EXPECT_GT(carried, kAgents / 2) << engine->name();
-  }
-}
-
-TEST(NativeEngine, GivesTheSameBitsOnAnyNumberOfThreads) {
-  const SmallWorld world(6000, 0.2F);
-  const Columns at = scattered(6000, 12);
-  const Columns one = fly_one_tick(*make_native_engine(1), world, at);
-  for (const int threads : {2, 3, 5}) {
-    EXPECT_EQ(one, fly_one_tick(*make_native_engine(threads), world, at)) << threads;
   }
 }
 
