@@ -38,7 +38,7 @@ BrickSampler::Row BrickSampler::start_row(int y, int z) const {
       const int fine_j = NestedGrid::kRatio * y - 1 + j;
       const int fine_k = NestedGrid::kRatio * z - 1 + k;
       if (fine_j >= 0 && fine_j < fine_.cells.y && fine_k >= 0 && fine_k < fine_.cells.z) {
-        row.owners[static_cast<std::size_t>(j + kSide * k)] = rows_.owners(fine_j, fine_k);
+        row.owners[row_index(j, k)] = rows_.owners(fine_j, fine_k);
       }
     }
   }
@@ -54,15 +54,21 @@ void BrickSampler::fill_brick(glm::ivec3 first, Row& row, std::span<float> out) 
         const Eight cells = eight(first, {i, j, k});
         std::array<double, 8> distance = solids(cells, row);
         add_shells(cells, row, distance);
-        for (int lane = 0; lane < 8; ++lane) {
-          const auto l = static_cast<std::size_t>(lane);
-          for (const std::size_t p : row.primitives) {
-            distance[l] = std::min(distance[l], signed_distance(parts_.primitives[p], cells.point(lane)));
-          }
-          const glm::ivec3 at = cells.local[l];
-          out[own.index(at.x, at.y, at.z)] = static_cast<float>(distance[l]);
+        add_primitives(cells, row, distance);
+        for (std::size_t lane = 0; lane < 8; ++lane) {
+          const glm::ivec3 at = cells.local[lane];
+          out[own.index(at.x, at.y, at.z)] = static_cast<float>(distance[lane]);
         }
       }
+    }
+  }
+}
+
+void BrickSampler::add_primitives(const Eight& cells, const Row& row, std::array<double, 8>& distance) const {
+  for (int lane = 0; lane < 8; ++lane) {
+    double& least = distance[static_cast<std::size_t>(lane)];
+    for (const std::size_t p : row.primitives) {
+      least = std::min(least, signed_distance(parts_.primitives[p], cells.point(lane)));
     }
   }
 }
@@ -128,7 +134,7 @@ std::array<double, 8> BrickSampler::solids(const Eight& cells, Row& row) const {
 double BrickSampler::one_solid(const Eight& cells, int lane, const Row& row, int nearest,
                                double squared) const {
   const auto l = static_cast<std::size_t>(lane);
-  const auto& owners = row.owners[static_cast<std::size_t>(cells.local[l].y + kSide * cells.local[l].z)];
+  const auto& owners = row.owners[row_index(cells.local[l].y, cells.local[l].z)];
   const int x = cells.cell[l].x;
   const bool known = x >= 0 && x < static_cast<int>(owners.size());
   const int owner = known ? owners[static_cast<std::size_t>(x)] : SolidRows::kSeveral;

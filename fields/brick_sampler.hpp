@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <span>
@@ -28,6 +29,11 @@ class BrickSampler {
  private:
   static constexpr int kSide = NestedGrid::kBrickSide;
 
+  // Of a row of fine cells among those of Row.
+  static std::size_t row_index(int j, int k) {
+    return static_cast<std::size_t>(j) + static_cast<std::size_t>(kSide) * static_cast<std::size_t>(k);
+  }
+
   // What a row of bricks shares: which solid each fine cell of its kSide × kSide rows lies in, and the
   // triangles found last.
   struct Row {
@@ -50,6 +56,7 @@ class BrickSampler {
   std::array<double, 8> solids(const Eight& cells, Row& row) const;
   double one_solid(const Eight& cells, int lane, const Row& row, int nearest, double squared) const;
   void add_shells(const Eight& cells, Row& row, std::array<double, 8>& distance) const;
+  void add_primitives(const Eight& cells, const Row& row, std::array<double, 8>& distance) const;
 
   const Geometry::Parts& parts_;
   const Grid& fine_;

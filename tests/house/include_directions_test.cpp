@@ -13,6 +13,7 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
+using ::testing::SizeIs;
 
 // A tree with one file, which includes one thing.
 class IncludeDirections : public ::testing::Test {
@@ -63,6 +64,12 @@ TEST_F(IncludeDirections, DriversMayNotSeeTheController) {
 
 TEST_F(IncludeDirections, NobodyLooksIntoTheProgram) {
   EXPECT_THAT(check("examples/a.cpp", "#include \"app/b.hpp\""), ElementsAre(HasSubstr("app/")));
+  EXPECT_THAT(check("bench/noise/a.cpp", "#include \"app/b.hpp\""), SizeIs(2));
+}
+
+TEST_F(IncludeDirections, OnlyTheProgramLooksIntoBenchmarks) {
+  EXPECT_THAT(check("app/a.cpp", "#include \"bench/noise/b.hpp\""), IsEmpty());
+  EXPECT_THAT(check("examples/a.cpp", "#include \"bench/noise/b.hpp\""), ElementsAre(HasSubstr("bench/")));
 }
 
 TEST_F(IncludeDirections, NeighboursAreNamedFromTheTop) {
