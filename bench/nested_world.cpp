@@ -2,16 +2,15 @@
 // of 1 m near them; against the dense grid's bytes, which nobody could hold.
 #include <chrono>
 #include <cstdio>
-#include <cstdlib>
 #include <memory>
 #include <vector>
 
 #include "fields/nested_cost.hpp"
 #include "fields/nested_distance.hpp"
 
+namespace mayfly {
 namespace {
 
-using namespace mayfly;
 using Clock = std::chrono::steady_clock;
 
 double seconds_since(Clock::time_point start) {
@@ -33,37 +32,37 @@ std::vector<fields::PlacedShape> city(int side) {
   return shapes;
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
-  const int threads = argc > 1 ? std::atoi(argv[1]) : 2;
+int run() {
+  constexpr int kThreads = 2;
   const auto solid = fields::Geometry::make(city(6), 1.0F);
   const fields::PlacedShape goal_shape{fields::BoxShape{{{900, 480, 100}, {940, 520, 140}}}, {}};
   std::vector<fields::Geometry> goals;
   goals.push_back(*fields::Geometry::make({&goal_shape, 1}, 1.0F));
   auto start = Clock::now();
   auto field = fields::build_nested_distance(*solid, goals, {{0, 0, 0}, {1000, 1000, 1000}}, 1.0F,
-                                             {5.0F, 2.0F, 3.0F}, threads, {});
+                                             {5.0F, 2.0F, 3.0F}, kThreads, {});
   if (!field) {
     std::fprintf(stderr, "%s\n", field.error().message.c_str());
     return 1;
   }
   std::printf("distance %.2f s\n", seconds_since(start));
   start = Clock::now();
-  const std::vector<float> walls = fields::nested_walls(*field, threads, {});
+  const std::vector<float> walls = fields::nested_walls(*field, kThreads, {});
   std::printf("walls    %.2f s\n", seconds_since(start));
   const auto nested = std::make_shared<const NestedGrid>(field->nested);
   start = Clock::now();
-  const auto cost = fields::build_nested_cost(
-      {nested, field->distance}, goals[0], {}, threads, [&](auto stage, double done) {
-        if (argc > 2)
-          std::printf("%.2f %.*s %.3f\n", seconds_since(start), static_cast<int>(stage.size()), stage.data(),
-                      done);
-      });
+  const auto cost = fields::build_nested_cost({nested, field->distance}, goals[0], {}, kThreads, {});
   std::printf("cost     %.2f s, %zu unreachable\n", seconds_since(start), cost ? cost->unreachable : 0);
   const double fine = 1e9;
   std::printf("%zu bricks, %zu entries: φ, walls and guide %.0f MB, %.0f times less than the dense grid\n",
               nested->bricks, nested->entries(), 24e-6 * static_cast<double>(nested->entries()),
               fine / static_cast<double>(nested->entries()));
   return 0;
+}
+
+}  // namespace
+}  // namespace mayfly
+
+int main() {
+  return mayfly::run();
 }

@@ -159,7 +159,8 @@ class NestedGuide {
   using Neighbourhood = std::array<int, 27>;
 
   static std::size_t slot(glm::ivec3 step) {
-    return static_cast<std::size_t>(step.x + 1 + 3 * (step.y + 1) + 9 * (step.z + 1));
+    const int index = step.x + 1 + 3 * (step.y + 1) + 9 * (step.z + 1);
+    return static_cast<std::size_t>(index);
   }
   static glm::vec3 unit(glm::vec3 a) {
     const float length = glm::length(a);

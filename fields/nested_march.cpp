@@ -77,6 +77,22 @@ void for_each_facing(glm::ivec3 step, const auto& visit) {
   }
 }
 
+// update(x, y, z) for each cell of a brick but its apron's, in one of eight orders: whether any said that it
+// changed.
+bool swept(int direction, const auto& update) {
+  bool changed = false;
+  for (int k = kFirst; k <= kLast; ++k) {
+    const int z = (direction & 4) != 0 ? kLast + kFirst - k : k;
+    for (int j = kFirst; j <= kLast; ++j) {
+      const int y = (direction & 2) != 0 ? kLast + kFirst - j : j;
+      for (int i = kFirst; i <= kLast; ++i) {
+        changed |= update((direction & 1) != 0 ? kLast + kFirst - i : i, y, z);
+      }
+    }
+  }
+  return changed;
+}
+
 }  // namespace
 
 float Slowness::at(float phi) const {
@@ -228,17 +244,7 @@ void NestedMarch::sweep(std::span<float> cost, std::span<const float> phi,
   // Eight directions in turn, until each has changed nothing once.
   int quiet = 0;
   for (int direction = 0; quiet < 8; direction = (direction + 1) % 8) {
-    bool changed = false;
-    for (int k = kFirst; k <= kLast; ++k) {
-      const int z = (direction & 4) != 0 ? kLast + kFirst - k : k;
-      for (int j = kFirst; j <= kLast; ++j) {
-        const int y = (direction & 2) != 0 ? kLast + kFirst - j : j;
-        for (int i = kFirst; i <= kLast; ++i) {
-          changed |= one((direction & 1) != 0 ? kLast + kFirst - i : i, y, z);
-        }
-      }
-    }
-    quiet = changed ? 1 : quiet + 1;
+    quiet = swept(direction, one) ? 1 : quiet + 1;
   }
 }
 
