@@ -10,6 +10,7 @@
 #include "app/exit_code.hpp"
 #include "app/log.hpp"
 #include "app/progress_line.hpp"
+#include "bench/fields/measure.hpp"
 #include "bench/noise/report.hpp"
 #include "controller/scenario/suggest.hpp"
 #include "record/output_file.hpp"
@@ -45,6 +46,28 @@ BenchResult bench_noise(const BenchOptions& options, const Progress& progress) {
   return findings;
 }
 
+BenchResult bench_fields(const BenchOptions& options, const Progress& progress) {
+  // Preprocessing is measured as of a world that nobody has seen yet.
+  const ScopedCacheDirectory no_cache;
+  mayfly::bench::FieldsPlan plan;
+  plan.most_agents = options.agents > 0 ? options.agents : plan.most_agents;
+  plan.threads = options.threads > 0 ? options.threads : plan.threads;
+  plan.progress = progress;
+  const auto report = mayfly::bench::measure_fields(plan);
+  if (!report) {
+    return tl::unexpected(report.error());
+  }
+  Findings findings{options.json ? to_json(*report) : to_text(*report), {}};
+  if (!options.figure.empty()) {
+    auto drawn = draw_figure(*report);
+    if (!drawn) {
+      return tl::unexpected(std::vector{std::move(drawn.error())});
+    }
+    findings.figure = std::move(*drawn);
+  }
+  return findings;
+}
+
 struct Benchmark {
   std::string name;
   std::string_view does;
@@ -52,6 +75,7 @@ struct Benchmark {
 };
 
 const std::array kBenchmarks{
+    Benchmark{"fields", "The field core: engines, solvers, how time grows (Wang14, sections 5 to 7)", bench_fields},
     Benchmark{"noise", "Perlin, random and curl noise in three models (Wang14, section 7.1)", bench_noise}};
 
 int list_benchmarks() {

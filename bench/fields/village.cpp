@@ -1,9 +1,11 @@
 #include "bench/fields/village.hpp"
 
 #include <array>
+#include <cmath>
 #include <fstream>
 #include <glm/vec3.hpp>
 #include <map>
+#include <numbers>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -85,6 +87,12 @@ void add_finer_meshes(const Scenario& village, int subdivisions, std::vector<Ove
   }
 }
 
+// m: at which Wang14's 0.68 % of the agents are too near to another, were all strewn over the world at random.
+double crowded_separation(std::size_t agents) {
+  constexpr double kVolume = 118.0 * 53.0 * 48.0;  // m³
+  return std::cbrt(0.0068 * kVolume / (4.0 / 3.0 * std::numbers::pi * static_cast<double>(agents)));
+}
+
 }  // namespace
 
 tl::expected<Village, std::vector<Error>> make_village(const VillagePlan& plan) {
@@ -93,6 +101,7 @@ tl::expected<Village, std::vector<Error>> make_village(const VillagePlan& plan) 
                                   {"world.cell", std::to_string(plan.cell)}};
   if (plan.everywhere) {
     overrides.push_back({"swarms.locusts.start", "{box: {min: [1, 1, 1], max: [119, 54, 49]}}"});
+    overrides.push_back({"swarms.locusts.limits.separation", std::to_string(crowded_separation(plan.agents))});
   }
   if (plan.subdivisions > 0) {
     auto village = load_scenario(file);
