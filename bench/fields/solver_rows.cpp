@@ -99,7 +99,6 @@ Result<void> measure_moved_goal(const FieldsPlan& plan, FieldsReport& report) {
   return {};
 }
 
-// The caller has seen to it that no cache knows this village.
 Result<void> measure_preprocessing(const FieldsPlan& plan, FieldsReport& report) {
   const auto village = make_village({.agents = 1, .threads = plan.threads});
   if (!village) {

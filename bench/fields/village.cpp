@@ -87,7 +87,8 @@ void add_finer_meshes(const Scenario& village, int subdivisions, std::vector<Ove
   }
 }
 
-// m: at which Wang14's 0.68 % of the agents are too near to another, were all strewn over the world at random.
+// m: at which Wang14's 0.68 % of the agents are too near to another, were all strewn over the world at
+// random.
 double crowded_separation(std::size_t agents) {
   constexpr double kVolume = 118.0 * 53.0 * 48.0;  // m³
   return std::cbrt(0.0068 * kVolume / (4.0 / 3.0 * std::numbers::pi * static_cast<double>(agents)));
@@ -101,7 +102,8 @@ tl::expected<Village, std::vector<Error>> make_village(const VillagePlan& plan) 
                                   {"world.cell", std::to_string(plan.cell)}};
   if (plan.everywhere) {
     overrides.push_back({"swarms.locusts.start", "{box: {min: [1, 1, 1], max: [119, 54, 49]}}"});
-    overrides.push_back({"swarms.locusts.limits.separation", std::to_string(crowded_separation(plan.agents))});
+    overrides.push_back(
+        {"swarms.locusts.limits.separation", std::to_string(crowded_separation(plan.agents))});
   }
   if (plan.subdivisions > 0) {
     auto village = load_scenario(file);
@@ -114,7 +116,7 @@ tl::expected<Village, std::vector<Error>> make_village(const VillagePlan& plan) 
   if (!scenario) {
     return tl::unexpected(std::move(scenario.error()));
   }
-  auto ready = prepare(*scenario, {.threads = plan.threads});
+  auto ready = prepare(*scenario, {.threads = plan.threads, .cache = fields::FieldCache::none()});
   if (!ready) {
     return tl::unexpected(std::move(ready.error()));
   }

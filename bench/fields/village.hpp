@@ -1,4 +1,5 @@
-// The locusts' world with any number of agents, any cell and meshes of any fineness.
+// The locusts' world with any number of agents, any cell and meshes of any fineness; always built, never
+// cached.
 #pragma once
 
 #include <filesystem>

@@ -8,7 +8,7 @@ namespace mayfly {
 
 tl::expected<std::unique_ptr<const Prepared>, std::vector<Error>> prepare(const Scenario& scenario,
                                                                           const PrepareOptions& options) {
-  auto world = build_world(scenario, options.threads, options.progress);
+  auto world = build_world(scenario, options.threads, options.progress, options.cache);
   if (!world) {
     return tl::unexpected(std::move(world.error()));
   }

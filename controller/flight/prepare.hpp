@@ -23,6 +23,7 @@ struct PrepareOptions {
   int threads = 0;            // of the field builders; 0 for all cores
   bool in_real_time = false;  // robots then keep more from each other (realtime_latency)
   Progress progress{};
+  fields::FieldCache cache{};  // of distances and costs
   // What is odd but flies, as soon as it is known: also where an error follows.
   std::function<void(const Error&)> warn{};
 };

@@ -23,8 +23,8 @@ double seconds_since(SteadyClock::time_point start) {
 // The scenario's world while it is being built: what is known so far, and what went wrong.
 class Builder {
  public:
-  Builder(const Scenario& scenario, int threads, const Progress& progress)
-      : scenario_(scenario), threads_(threads), progress_(progress) {}
+  Builder(const Scenario& scenario, int threads, const Progress& progress, const fields::FieldCache& cache)
+      : scenario_(scenario), threads_(threads), progress_(progress), cache_(cache) {}
 
   tl::expected<World, std::vector<Error>> build() {
     if (scenario_.world.coarse_cell) {
@@ -59,7 +59,7 @@ class Builder {
                 .solver = nullptr,
                 .preprocessing = timing_,
                 .warnings = {}};
-    errors_ = WorldCosts(scenario_, threads_, progress_).add_to(world);
+    errors_ = WorldCosts(scenario_, threads_, progress_, cache_).add_to(world);
     if (!errors_.empty()) {
       return tl::unexpected(std::move(errors_));
     }
@@ -159,7 +159,7 @@ class Builder {
   const Scenario& scenario_;
   int threads_;
   const Progress& progress_;
-  fields::FieldCache cache_;
+  const fields::FieldCache& cache_;
   PreprocessingSummary timing_;
   std::vector<Error> errors_;
 };
@@ -175,11 +175,12 @@ float distance_at_start(const World& world, glm::vec3 p) noexcept {
 }
 
 tl::expected<World, std::vector<Error>> build_world(const Scenario& scenario, int threads,
-                                                    const Progress& progress) {
+                                                    const Progress& progress,
+                                                    const fields::FieldCache& cache) {
   if (auto errors = excess_pulls(scenario); !errors.empty()) {
     return tl::unexpected(std::move(errors));
   }
-  return Builder(scenario, threads, progress).build();
+  return Builder(scenario, threads, progress, cache).build();
 }
 
 }  // namespace mayfly

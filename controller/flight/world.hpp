@@ -11,6 +11,7 @@
 #include "controller/scenario/scenario.hpp"
 #include "core/nested_grid.hpp"
 #include "core/progress.hpp"
+#include "fields/cache.hpp"
 #include "fields/cost_field.hpp"
 #include "fields/distance_field.hpp"
 #include "fields/geometry.hpp"
@@ -41,6 +42,7 @@ float distance_at_start(const World& world, glm::vec3 p) noexcept;
 // Builds the fields (or takes them from the cache on disk). Errors name the place in the scenario: an open
 // mesh, a goal inside an obstacle, a start region that cannot reach its goal.
 tl::expected<World, std::vector<Error>> build_world(const Scenario& scenario, int threads,
-                                                    const Progress& progress);
+                                                    const Progress& progress,
+                                                    const fields::FieldCache& cache = fields::FieldCache());
 
 }  // namespace mayfly

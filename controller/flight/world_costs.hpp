@@ -13,8 +13,8 @@ namespace mayfly {
 
 class WorldCosts {
  public:
-  WorldCosts(const Scenario& scenario, int threads, const Progress& progress)
-      : scenario_(scenario), threads_(threads), progress_(progress) {}
+  WorldCosts(const Scenario& scenario, int threads, const Progress& progress, const fields::FieldCache& cache)
+      : scenario_(scenario), threads_(threads), progress_(progress), cache_(cache) {}
 
   // Adds costs, warnings, timing; where fields change in flight also the solver and the walls of the first
   // set. Errors name the goal.
@@ -31,7 +31,7 @@ class WorldCosts {
   const Scenario& scenario_;
   int threads_;
   const Progress& progress_;
-  fields::FieldCache cache_;
+  const fields::FieldCache& cache_;
   bool cached_ = true;
   std::vector<CostField> first_;  // of the fields that change, in the solver's order
   std::vector<Error> errors_;
