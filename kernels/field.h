@@ -99,17 +99,25 @@ MF_FN F3 mf_guard_bounds(F3 v, F3 r, const MfField* field) {
              mf_min(mf_max(v.z, least.z), most.z));
 }
 
-// Where a wall may be felt. The coefficient of the nearest cell tells of most agents that none is near: it
-// differs from the interpolated one by little more than the way between them, 0.87 cells at the most.
-MF_FN I mf_near_wall(const MfAround* around, const MfField* field, const MF_GLOBAL float* walls) {
+// Whether a wall is nearer than `reach` (m, at most field->wall_reach; a nested grid answers for all of
+// that). The coefficient of the nearest cell tells of most agents that none is: it differs from the
+// interpolated one by little more than the way between them, 0.87 cells at the most.
+MF_FN I mf_near_wall(const MfAround* around, F reach, const MfField* field, const MF_GLOBAL float* walls) {
   if (field->grid.nested) {
     return mf_place_near_wall(&around->place, walls, &around->corners, &field->grid, field->wall_reach);
   }
   const MfCube* cube = &around->cube;
   const F nearest = mf_gather(walls, mf_nearest_corner(cube));
-  const I perhaps = nearest < mf_splat(field->wall_reach + 1.25f * field->grid.cell);
+  const I perhaps = nearest < reach + 1.25f * field->grid.cell;
   if (!mf_any(perhaps)) return perhaps;
-  return perhaps & (mf_sample(walls, cube) < mf_splat(field->wall_reach));
+  return perhaps & (mf_sample(walls, cube) < reach);
+}
+
+// How far off a wall may be that holds back an agent at v (m/s). The half cell is what interpolated
+// coefficients may tell more than the spline.
+MF_FN F mf_guard_reach(F3 v, const MfField* field) {
+  const F to_stop = mf3_length(v) * (1.0f / field->approach_rate);
+  return mf_min(to_stop + (field->radius + 0.5f * field->grid.cell), mf_splat(field->wall_reach));
 }
 
 // The guard alone, for velocities that were changed after the model gave them.
@@ -117,7 +125,7 @@ MF_FN F3 mf_field_guard(F3 r, F3 v, const MfField* field, const MF_GLOBAL float*
   const F3 inside = mf_guard_bounds(v, r, field);
   if (!field->has_walls) return inside;
   const MfAround around = mf_around(r, walls, &field->grid);
-  const I near_wall = mf_near_wall(&around, field, walls);
+  const I near_wall = mf_near_wall(&around, mf_guard_reach(inside, field), field, walls);
   if (!mf_any(near_wall)) return inside;
   const MfSurface surface = mf_around_surface(r, &around, walls, &field->grid);
   return mf3_select(near_wall, mf_guard_wall(inside, &surface, field), inside);
@@ -187,15 +195,20 @@ MF_FN F3 mf_field_velocity(F3 r, I id, I agent, const MfField* field, const MfMo
   F cost;
   const F3 steady = mf_steady_velocity(r, id, agent, &around, field, moment, tables, &cost);
   const I lost = cost > mf_splat(MF_NO_WAY);
-  const I near_wall = field->has_walls ? mf_near_wall(&around, field, tables->walls) : mf_isplat(0);
-  if (!mf_any(near_wall)) {
-    const F3 noise = mf_bent_noise(r, near_wall, 0, field, moment, tables->permutation);
-    return mf_guard_bounds(mf_going(mf3_add(noise, steady), lost), r, field);
+  I bends = mf_isplat(0);
+  if (field->has_walls) {
+    bends = mf_near_wall(&around, mf_splat(field->boundary + field->grid.cell), field, tables->walls);
   }
-  const MfSurface surface = mf_around_surface(r, &around, tables->walls, &field->grid);
-  const F3 noise = mf_bent_noise(r, near_wall, &surface, field, moment, tables->permutation);
+  const int is_bent = mf_any(bends);
+  MfSurface surface;
+  if (is_bent) surface = mf_around_surface(r, &around, tables->walls, &field->grid);
+  const F3 noise = mf_bent_noise(r, bends, &surface, field, moment, tables->permutation);
   const F3 v = mf_guard_bounds(mf_going(mf3_add(noise, steady), lost), r, field);
-  return mf3_select(near_wall, mf_guard_wall(v, &surface, field), v);
+  if (!field->has_walls) return v;
+  const I guards = mf_near_wall(&around, mf_guard_reach(v, field), field, tables->walls);
+  if (!mf_any(guards)) return v;
+  if (!is_bent) surface = mf_around_surface(r, &around, tables->walls, &field->grid);
+  return mf3_select(guards, mf_guard_wall(v, &surface, field), v);
 }
 
 MF_END

@@ -53,6 +53,7 @@ class NativeEngine final : public Engine, private FirstSweep {
     const auto lanes = static_cast<int>(std::min<std::size_t>(MF_LANES, swarm.count - local));
     const kernels::MfTables tables{swarm.walls.data(),  swarm.guide.data(),  swarm.rest.x.data(),
                                    swarm.rest.y.data(), swarm.rest.z.data(), kPermutation.data()};
+    fetch_ahead(at, out, swarm, local);
     const kernels::I id = kernels::mf_swarm_agents(&minimum_distance_.order()[slot], lanes);
     const F3 r = kernels::mf3(kernels::mf_gather(at.x.data(), id), kernels::mf_gather(at.y.data(), id),
                               kernels::mf_gather(at.z.data(), id));
@@ -66,6 +67,26 @@ class NativeEngine final : public Engine, private FirstSweep {
     kernels::mf_store_first(&to.x[slot], ahead.x, lanes);
     kernels::mf_store_first(&to.y[slot], ahead.y, lanes);
     kernels::mf_store_first(&to.z[slot], ahead.z, lanes);
+  }
+
+  // Neighbours in space are strangers in memory: of a large swarm each column's eight numbers come from eight
+  // lines, and are asked for while the eight agents before are thought about.
+  void fetch_ahead(const PositionColumns& at, const VelocityColumns& out, const SwarmModel& swarm,
+                   std::size_t local) const noexcept {
+    constexpr std::size_t kAhead = 2 * MF_LANES;
+    if (local + kAhead + MF_LANES > swarm.count) {
+      return;
+    }
+    const int* next = &minimum_distance_.order()[swarm.first + local + kAhead];
+    for (int k = 0; k < MF_LANES; ++k) {
+      const auto agent = static_cast<std::size_t>(next[k]);
+      __builtin_prefetch(&at.x[agent]);
+      __builtin_prefetch(&at.y[agent]);
+      __builtin_prefetch(&at.z[agent]);
+      __builtin_prefetch(&out.x[agent], 1);
+      __builtin_prefetch(&out.y[agent], 1);
+      __builtin_prefetch(&out.z[agent], 1);
+    }
   }
 
   void first_sweep(const CellOrder& order, SearchReach reach, Displacements& out) noexcept override {

@@ -93,7 +93,7 @@ class Builder {
                 .solver = nullptr,
                 .preprocessing = timing_,
                 .warnings = {}};
-    errors_ = WorldCosts(scenario_, threads_, progress_).add_to(world);
+    errors_ = WorldCosts(scenario_, threads_, progress_, cache_).add_to(world);
     if (!errors_.empty()) {
       return tl::unexpected(std::move(errors_));
     }
