@@ -43,13 +43,14 @@ void add_run(CLI::App& app, RunOptions& options, Raw& raw) {
   run.add_option("SCENARIO", options.scenario, "A scenario file (YAML)")->required();
   run.add_option("--hal", options.hal, "Fly every swarm on this HAL of the scenario")->type_name("NAME");
   const std::map<std::string, EngineChoice> engines{{"native", EngineChoice::kNative},
-                                                    {"opencl", EngineChoice::kOpenCl}};
-  run.add_option("--engine", options.engine, "What computes the model: native or opencl")
+                                                    {"opencl", EngineChoice::kOpenCl},
+                                                    {"auto", EngineChoice::kAuto}};
+  run.add_option("--engine", options.engine, "What computes the model: native, opencl, or auto: the one that is faster here")
       ->transform(CLI::Transformer(engines).description(""))
-      ->type_name("native|opencl")
-      ->check(CLI::IsMember(std::vector{EngineChoice::kNative, EngineChoice::kOpenCl}, nullptr)
+      ->type_name("native|opencl|auto")
+      ->check(CLI::IsMember(std::vector{EngineChoice::kNative, EngineChoice::kOpenCl, EngineChoice::kAuto}, nullptr)
                   .description("")
-                  .name("native|opencl"));
+                  .name("native|opencl|auto"));
   run.add_option("--seed", raw.seed, "Seed of everything random")->type_name("N");
   run.add_option("--duration", raw.duration, "Seconds to fly")->type_name("S");
   run.add_flag("--fast", options.fast,

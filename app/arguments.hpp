@@ -11,7 +11,7 @@
 
 namespace mayfly::app {
 
-enum class EngineChoice { kNative, kOpenCl };
+enum class EngineChoice { kNative, kOpenCl, kAuto };
 
 struct RunOptions {
   std::filesystem::path scenario;

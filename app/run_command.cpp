@@ -74,7 +74,7 @@ int exit_code_of(const Summary& summary, int signal_number) {
 int fly_and_tell(const RunOptions& options, const Scenario& scenario, const Prepared& ready,
                  ProgressLine& line) {
   const std::size_t agents = ready.models.agents();
-  auto engine = make_engine(options.engine, options.threads, ready.models);
+  auto engine = make_engine(options.engine, options.threads, ready, 1.0F / scenario.control.rate);
   if (!engine) {
     return refuse(engine.error());
   }

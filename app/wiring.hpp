@@ -7,8 +7,7 @@
 
 #include "app/arguments.hpp"
 #include "controller/engine/engine.hpp"
-#include "controller/flight/swarm_models.hpp"
-#include "controller/flight/world.hpp"
+#include "controller/flight/prepare.hpp"
 #include "controller/scenario/scenario.hpp"
 #include "core/clock.hpp"
 
@@ -19,7 +18,9 @@ Result<void> choose_hal(Scenario& scenario, const std::string& name);
 
 std::unique_ptr<Clock> make_clock(bool fast);
 
-// Ready to compute. `models` and what they point into must outlive it.
-Result<std::unique_ptr<Engine>> make_engine(EngineChoice choice, int threads, const SwarmModels& models);
+// Ready to compute what was prepared, which must outlive it. `auto` tries both engines on the swarm's first
+// places.
+Result<std::unique_ptr<Engine>> make_engine(EngineChoice choice, int threads, const Prepared& ready,
+                                            float period_s);
 
 }  // namespace mayfly::app
