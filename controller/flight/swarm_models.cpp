@@ -33,13 +33,13 @@ kernels::MfGrid kernel_grid(const World& world) {
 }
 
 // By how much two robots may come nearer than the points that are steered, m. One that lags by τ trails its
-// point: two by up to τ times their relative velocity. One that accelerates no faster than a needs v²/2a to
-// turn. The cruise speed stands for both velocities.
+// point: two by up to τ times their relative velocity. Of two that accelerate no faster than a, each needs
+// v²/2a to stop before the other. The cruise speed stands for all of these velocities.
 float trailing_margin(const Scenario& scenario, const SwarmSpec& swarm, bool in_real_time) {
   const auto hal = hal_of(scenario, swarm);
   const bool turns_slowly = swarm.governor || (hal && hal->sim.plant == PlantKind::kDoubleIntegrator);
   const float to_turn =
-      turns_slowly ? swarm.cruise_speed * swarm.cruise_speed / (2.0F * swarm.limits.acceleration) : 0.0F;
+      turns_slowly ? swarm.cruise_speed * swarm.cruise_speed / swarm.limits.acceleration : 0.0F;
   const float latency = in_real_time ? realtime_latency(scenario, swarm) : 0.0F;
   return std::max((response_time(scenario, swarm) + latency) * swarm.cruise_speed, to_turn);
 }

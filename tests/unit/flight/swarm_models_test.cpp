@@ -108,10 +108,10 @@ TEST(EnforcedDistance, AllowsForWhatALagTrailsBy) {
 TEST(EnforcedDistance, AllowsForTheWayThatATurnTakes) {
   Scenario scenario = governed_by(PlantKind::kDoubleIntegrator, false);
   scenario.swarms[0].limits.acceleration = 5.0F;
-  EXPECT_NEAR(enforced(scenario), 0.2F + 1.5F * 1.5F / 10.0F, 1e-3F);
+  EXPECT_NEAR(enforced(scenario), 0.2F + 1.5F * 1.5F / 5.0F, 1e-3F);
   scenario.hals[0].sim.plant = PlantKind::kIdeal;
   scenario.swarms[0].governor = true;
-  EXPECT_NEAR(enforced(scenario), 0.2F + 1.5F * 1.5F / 10.0F, 1e-3F);
+  EXPECT_NEAR(enforced(scenario), 0.2F + 1.5F * 1.5F / 5.0F, 1e-3F);
 }
 
 TEST(EnforcedDistance, AllowsForAPeriodOfEachSideInRealTime) {
