@@ -42,13 +42,14 @@ void add_run(CLI::App& app, RunOptions& options, Raw& raw) {
   CLI::App& run = *app.add_subcommand("run", "Fly a scenario, in real time unless --fast");
   run.add_option("SCENARIO", options.scenario, "A scenario file (YAML)")->required();
   run.add_option("--hal", options.hal, "Fly every swarm on this HAL of the scenario")->type_name("NAME");
-  const std::map<std::string, EngineChoice> engines{{"native", EngineChoice::kNative},
-                                                    {"opencl", EngineChoice::kOpenCl},
-                                                    {"auto", EngineChoice::kAuto}};
-  run.add_option("--engine", options.engine, "What computes the model: native, opencl, or auto: the one that is faster here")
+  const std::map<std::string, EngineChoice> engines{
+      {"native", EngineChoice::kNative}, {"opencl", EngineChoice::kOpenCl}, {"auto", EngineChoice::kAuto}};
+  run.add_option("--engine", options.engine,
+                 "What computes the model: native, opencl, or auto: the one that is faster here")
       ->transform(CLI::Transformer(engines).description(""))
       ->type_name("native|opencl|auto")
-      ->check(CLI::IsMember(std::vector{EngineChoice::kNative, EngineChoice::kOpenCl, EngineChoice::kAuto}, nullptr)
+      ->check(CLI::IsMember(std::vector{EngineChoice::kNative, EngineChoice::kOpenCl, EngineChoice::kAuto},
+                            nullptr)
                   .description("")
                   .name("native|opencl|auto"));
   run.add_option("--seed", raw.seed, "Seed of everything random")->type_name("N");
