@@ -20,6 +20,7 @@ typedef struct {
   float boundary;                // m, d0
   float wall_reach;              // m: further out than this nothing of a wall is felt
   float cruise_speed;            // m/s, s0
+  float most_speed;              // m/s: nobody is led faster
   float slow_down;               // m over which the speed falls to 0 at an agent's place in its goal
   float goal_margin;             // m of depth over which an agent turns to that place
   MfFence fence;                 // of the goal at its first place: agents roam in it, none has a place there
@@ -177,6 +178,15 @@ MF_FN I mf_swarm_agents(const MF_GLOBAL int* order, int lanes) {
   return mf_iselect(mf_lane_index() < mf_isplat(lanes), id, mf_isplat(order[0]));
 }
 
+// Whoever is faster than the limit keeps the direction. Before minimum distances are enforced, not after: a
+// robot that cannot do what it was told comes to be on somebody else's place.
+MF_FN F3 mf_within_speed(F3 v, float most) {
+  const F squared = mf3_dot(v, v);
+  const I fast = squared > mf_splat(most * most);
+  if (!mf_any(fast)) return v;
+  return mf3_select(fast, mf3_scale(mf3_unit(v), mf_splat(most)), v);
+}
+
 // Where no path leads to the goal an agent holds. The guide then says 1e9 m (fields/cost_field.hpp); a
 // quarter of that will do, because in a corner of its cell an agent may have three neighbours with a way,
 // beyond a wall.
@@ -203,7 +213,8 @@ MF_FN F3 mf_field_velocity(F3 r, I id, I agent, const MfField* field, const MfMo
   MfSurface surface;
   if (is_bent) surface = mf_around_surface(r, &around, tables->walls, &field->grid);
   const F3 noise = mf_bent_noise(r, bends, &surface, field, moment, tables->permutation);
-  const F3 v = mf_guard_bounds(mf_going(mf3_add(noise, steady), lost), r, field);
+  const F3 led = mf_within_speed(mf3_add(noise, steady), field->most_speed);
+  const F3 v = mf_guard_bounds(mf_going(led, lost), r, field);
   if (!field->has_walls) return v;
   const I guards = mf_near_wall(&around, mf_guard_reach(v, field), field, tables->walls);
   if (!mf_any(guards)) return v;

@@ -103,6 +103,7 @@ Result<std::string> draw_figure(const FieldsReport& report) {
   }
   for (std::size_t c = 0; c < report.curves.size(); ++c) {
     const Curve& curve = report.curves[c];
+    const std::size_t line = c / kColumns;
     record::Chart chart{.title = curve.title,
                         .x = {.name = curve.x_name, .logarithmic = true},
                         .y = {.name = curve.y_name, .logarithmic = true}};
@@ -112,10 +113,10 @@ Result<std::string> draw_figure(const FieldsReport& report) {
                               .stroke = {record::series_color(n), 2.2},
                               .dot_radius = 4.0});
     }
-    record::draw_chart(*canvas,
-                       {kWidth * static_cast<double>(c % kColumns),
-                        kHeight * static_cast<double>(c / kColumns), kWidth, kHeight},
-                       chart);
+    record::draw_chart(
+        *canvas,
+        {kWidth * static_cast<double>(c % kColumns), kHeight * static_cast<double>(line), kWidth, kHeight},
+        chart);
   }
   return canvas->png();
 }

@@ -16,6 +16,8 @@ constexpr std::uint32_t kNoiseStream = 0x4015E000U;
 
 // Sweeps that are done before a crowd is quite parted leave a little of each overlap.
 constexpr float kSweepMargin = 1.002F;
+// Of its greatest speed an agent is led with so much; the rest is left for making room to others.
+constexpr float kLedShare = 0.9F;
 // An agent slows down over the way that it cruises in this time, s.
 constexpr float kSlowDown = 3.0F;
 
@@ -32,14 +34,25 @@ kernels::MfGrid kernel_grid(const World& world) {
           cells.x,       cells.y,       cells.z,       world.nested ? 1 : 0};
 }
 
+// m²/s², in the mean: a potential of scale and gain 1 has a curl of 1.718 m/s rms (model.md §1), octaves are
+// independent.
+float noise_speed_squared(const NoiseSpec& noise) {
+  float sum = 0.0F;
+  for (const NoiseSpec::Octave& octave : noise.octaves) {
+    const float speed = 1.718F * octave.gain / octave.scale;
+    sum += speed * speed;
+  }
+  return noise.kind == NoiseKind::kNone ? 0.0F : sum;
+}
+
 // By how much two robots may come nearer than the points that are steered, m. One that lags by τ trails its
 // point: two by up to τ times their relative velocity. Of two that accelerate no faster than a, each needs
-// v²/2a to stop before the other. The cruise speed stands for all of these velocities.
+// v²/2a to stop before the other. The cruise speed stands for velocities, with the noise's where they turn.
 float trailing_margin(const Scenario& scenario, const SwarmSpec& swarm, bool in_real_time) {
   const auto hal = hal_of(scenario, swarm);
   const bool turns_slowly = swarm.governor || (hal && hal->sim.plant == PlantKind::kDoubleIntegrator);
-  const float to_turn =
-      turns_slowly ? swarm.cruise_speed * swarm.cruise_speed / swarm.limits.acceleration : 0.0F;
+  const float speed_squared = swarm.cruise_speed * swarm.cruise_speed + noise_speed_squared(swarm.noise);
+  const float to_turn = turns_slowly ? speed_squared / swarm.limits.acceleration : 0.0F;
   const float latency = in_real_time ? realtime_latency(scenario, swarm) : 0.0F;
   return std::max((response_time(scenario, swarm) + latency) * swarm.cruise_speed, to_turn);
 }
@@ -105,6 +118,7 @@ kernels::MfField kernel_field(const Scenario& scenario, const SwarmSpec& swarm, 
   field.has_walls = world.solid.empty() && world.moving.empty() ? 0 : 1;
   field.boundary = swarm.boundary.value_or(world.grid.cell);
   field.cruise_speed = swarm.cruise_speed;
+  field.most_speed = kLedShare * swarm.limits.speed;
   field.slow_down = swarm.cruise_speed * kSlowDown;
   field.fence = fence_of(scenario, swarm);
   field.goal_margin = std::max(std::min(0.5F * world.grid.cell, 0.25F * depth), 1e-3F);

@@ -68,6 +68,7 @@ struct SmallWorld {
     f.boundary = 1;
     f.wall_reach = 2;
     f.cruise_speed = 1.5F;
+    f.most_speed = 2.5F;  // some are led faster
     f.slow_down = 1.5F;
     f.goal_margin = 0.5F;
     f.radius = 0.05F;

@@ -108,10 +108,12 @@ TEST(EnforcedDistance, AllowsForWhatALagTrailsBy) {
 TEST(EnforcedDistance, AllowsForTheWayThatATurnTakes) {
   Scenario scenario = governed_by(PlantKind::kDoubleIntegrator, false);
   scenario.swarms[0].limits.acceleration = 5.0F;
-  EXPECT_NEAR(enforced(scenario), 0.2F + 1.5F * 1.5F / 5.0F, 1e-3F);
+  scenario.swarms[0].noise.octaves = {{.scale = 0.5F, .gain = 0.25F}};
+  const float speed_squared = 1.5F * 1.5F + 0.859F * 0.859F;  // cruise, and the rms of 1.718 · gain / scale
+  EXPECT_NEAR(enforced(scenario), 0.2F + speed_squared / 5.0F, 1e-3F);
   scenario.hals[0].sim.plant = PlantKind::kIdeal;
   scenario.swarms[0].governor = true;
-  EXPECT_NEAR(enforced(scenario), 0.2F + 1.5F * 1.5F / 5.0F, 1e-3F);
+  EXPECT_NEAR(enforced(scenario), 0.2F + speed_squared / 5.0F, 1e-3F);
 }
 
 TEST(EnforcedDistance, AllowsForAPeriodOfEachSideInRealTime) {
