@@ -66,8 +66,8 @@ std::filesystem::path finer_mesh(const std::filesystem::path& file, int subdivis
   for (int n = 0; n < subdivisions; ++n) {
     mesh = subdivide(mesh);
   }
-  const auto finer = std::filesystem::temp_directory_path() /
-                     (file.stem().string() + "_" + std::to_string(subdivisions) + ".obj");
+  auto finer = std::filesystem::temp_directory_path() /
+               (file.stem().string() + "_" + std::to_string(subdivisions) + ".obj");
   std::ofstream out(finer);
   for (const glm::vec3& v : mesh.corners) {
     out << "v " << v.x << ' ' << v.y << ' ' << v.z << '\n';

@@ -41,14 +41,18 @@ Wang14Scalar::Wang14Scalar(const Grid& grid, std::span<const float> distance, st
     std::copy_n(table.begin(), 256, table.begin() + 256);
   }
   if (parameters_.tabulated) {
-    for (int k = 0; k < grid.cells.z; ++k) {
-      for (int j = 0; j < grid.cells.y; ++j) {
-        for (int i = 0; i < grid.cells.x; ++i) {
-          const glm::vec3 n = potential(grid.center(i, j, k));
-          for (int axis = 0; axis < 3; ++axis) {
-            table_[static_cast<std::size_t>(axis)].push_back(n[axis]);
-          }
-        }
+    tabulate();
+  }
+}
+
+void Wang14Scalar::tabulate() {
+  for (int k = 0; k < grid_.cells.z; ++k) {
+    for (int j = 0; j < grid_.cells.y; ++j) {
+      for (int i = 0; i < grid_.cells.x; ++i) {
+        const glm::vec3 n = potential(grid_.center(i, j, k));
+        table_[0].push_back(n.x);
+        table_[1].push_back(n.y);
+        table_[2].push_back(n.z);
       }
     }
   }

@@ -40,6 +40,7 @@ class Wang14Scalar {
   std::size_t step(float dt);
 
  private:
+  void tabulate();
   float sample(std::span<const float> column, glm::vec3 r) const;
   float cost_near(glm::vec3 r, float fallback) const;
   float noise(int which, glm::vec3 q) const;
