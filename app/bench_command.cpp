@@ -50,6 +50,10 @@ BenchResult bench_fields(const BenchOptions& options, const Progress& progress) 
   mayfly::bench::FieldsPlan plan;
   plan.most_agents = options.agents > 0 ? options.agents : plan.most_agents;
   plan.threads = options.threads > 0 ? options.threads : plan.threads;
+  if (options.agents > 0 && options.agents < 10'000) {  // a trial: the solvers' worlds are small as well
+    plan.largest_grid = 100;
+    plan.torus_triangles = 7000;
+  }
   plan.progress = progress;
   const auto report = mayfly::bench::measure_fields(plan);
   if (!report) {
