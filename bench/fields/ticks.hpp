@@ -7,7 +7,7 @@
 namespace mayfly::bench {
 
 struct Ticks {
-  double seconds = 0.0;  // the median tick: compute(), and positions moved on by what it gave
+  double seconds = 0.0;  // the lower quartile of the ticks: compute(), and positions moved on by what it gave
   double moved = 0.0;    // share of the agents that minimum distance enforcement moved, mean
 };
 

@@ -13,6 +13,7 @@ inline constexpr double kFarthest = 10'000.0;
 std::vector<Key> schema_rows();
 
 void add_world_rows(std::vector<Key>& rows);
+void add_swarm_rows(std::vector<Key>& rows);
 void add_stimulus_rows(std::vector<Key>& rows);
 void add_expect_rows(std::vector<Key>& rows);
 
