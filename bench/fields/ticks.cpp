@@ -37,7 +37,7 @@ Result<Ticks> time_ticks(Engine& engine, const Village& village, int ticks) {
   for (int tick = 0; tick < ticks + kWarmUp; ++tick) {
     const auto start = std::chrono::steady_clock::now();
     const TickTime time{static_cast<std::uint64_t>(tick), tick * static_cast<double>(period_s), period_s};
-    moved += engine.compute({at.x, at.y, at.z}, time, {v.x, v.y, v.z});
+    moved += engine.compute({at.x, at.y, at.z}, time, {v.x, v.y, v.z}).moved;
     move_on(at.x, v.x, period_s);
     move_on(at.y, v.y, period_s);
     move_on(at.z, v.z, period_s);

@@ -1,5 +1,7 @@
 #include "controller/engine/engine.hpp"
 
+#include <algorithm>
+
 namespace mayfly {
 
 void replace(SwarmModel& swarm, const SwarmFields& fields) noexcept {
@@ -15,6 +17,16 @@ void replace(SwarmModel& swarm, const SwarmFields& fields) noexcept {
   swarm.field.goal_vx = fields.goal_velocity.x;
   swarm.field.goal_vy = fields.goal_velocity.y;
   swarm.field.goal_vz = fields.goal_velocity.z;
+}
+
+void place_stimuli(SwarmModel& swarm, std::span<const glm::vec3> places) noexcept {
+  const auto count = std::min(places.size(), static_cast<std::size_t>(swarm.forces.stimuli));
+  for (std::size_t s = 0; s < count; ++s) {
+    kernels::MfStimulus& stimulus = swarm.forces.stimulus[s];
+    stimulus.x = places[s].x;
+    stimulus.y = places[s].y;
+    stimulus.z = places[s].z;
+  }
 }
 
 }  // namespace mayfly

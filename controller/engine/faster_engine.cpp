@@ -22,7 +22,7 @@ double trial_tick(Engine& engine, const PositionColumns& at, float period_s) {
   double least = kNever;
   for (int tick = 0; tick < kWarmUp + kTimed; ++tick) {
     const auto start = std::chrono::steady_clock::now();
-    engine.compute(at, {0, 0.0, period_s}, {x, y, z});
+    engine.compute({at.x, at.y, at.z, x, y, z}, {0, 0.0, period_s}, {x, y, z});
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
     if (!engine.fault().empty()) {
       return kNever;

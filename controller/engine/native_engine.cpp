@@ -33,8 +33,12 @@ class NativeEngine final : public Engine, private FirstSweep {
     replace(swarms_[swarm], fields);
   }
 
-  std::size_t compute(const PositionColumns& at, const TickTime& tick,
-                      const VelocityColumns& out) noexcept override {
+  void move_stimuli(std::size_t swarm, std::span<const glm::vec3> places) noexcept override {
+    place_stimuli(swarms_[swarm], places);
+  }
+
+  TickCounts compute(const AgentColumns& at, const TickTime& tick,
+                     const VelocityColumns& out) noexcept override {
     for (const SwarmModel& swarm : swarms_) {
       const kernels::MfMoment moment = moment_of(swarm.field.noise, tick.number, tick.time_s);
       team_.for_ranges(swarm.count, kGrain, [&](std::size_t first, std::size_t last) {
@@ -43,11 +47,11 @@ class NativeEngine final : public Engine, private FirstSweep {
         }
       });
     }
-    return minimum_distance_.enforce(at, tick.period_s, out, *this, team_);
+    return {minimum_distance_.enforce({at.x, at.y, at.z}, tick.period_s, out, *this, team_), 0};
   }
 
  private:
-  void eight_agents(const SwarmModel& swarm, const kernels::MfMoment& moment, const PositionColumns& at,
+  void eight_agents(const SwarmModel& swarm, const kernels::MfMoment& moment, const AgentColumns& at,
                     float period_s, const VelocityColumns& out, std::size_t local) noexcept {
     const std::size_t slot = swarm.first + local;
     const auto lanes = static_cast<int>(std::min<std::size_t>(MF_LANES, swarm.count - local));
@@ -71,7 +75,7 @@ class NativeEngine final : public Engine, private FirstSweep {
 
   // Neighbours in space are strangers in memory: of a large swarm each column's eight numbers come from eight
   // lines, and are asked for while the eight agents before are thought about.
-  void fetch_ahead(const PositionColumns& at, const VelocityColumns& out, const SwarmModel& swarm,
+  void fetch_ahead(const AgentColumns& at, const VelocityColumns& out, const SwarmModel& swarm,
                    std::size_t local) const noexcept {
     constexpr std::size_t kAhead = 2 * MF_LANES;
     if (local + kAhead + MF_LANES > swarm.count) {

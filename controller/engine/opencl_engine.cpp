@@ -189,8 +189,12 @@ class OpenclEngine final : public Engine, private FirstSweep {
     }
   }
 
-  std::size_t compute(const PositionColumns& at, const TickTime& tick,
-                      const VelocityColumns& out) noexcept override {
+  void move_stimuli(std::size_t swarm, std::span<const glm::vec3> places) noexcept override {
+    place_stimuli(swarms_[swarm], places);
+  }
+
+  TickCounts compute(const AgentColumns& at, const TickTime& tick,
+                     const VelocityColumns& out) noexcept override {
     // Fields that did not arrive on the device are a fault for as long as they are not replaced: nobody flies
     // by half a table.
     fault_ = upload_fault_;
@@ -200,17 +204,17 @@ class OpenclEngine final : public Engine, private FirstSweep {
       }
     }
     const std::size_t moved =
-        fault_.empty() ? minimum_distance_.enforce(at, tick.period_s, out, *this, team_) : 0;
+        fault_.empty() ? minimum_distance_.enforce({at.x, at.y, at.z}, tick.period_s, out, *this, team_) : 0;
     if (!fault_.empty()) {
       for (const std::span<float> column : {out.x, out.y, out.z}) {
         std::fill(column.begin(), column.end(), 0.0F);
       }
     }
-    return moved;
+    return {moved, 0};
   }
 
  private:
-  Status velocities(const PositionColumns& at, const TickTime& tick, const VelocityColumns& out) noexcept {
+  Status velocities(const AgentColumns& at, const TickTime& tick, const VelocityColumns& out) noexcept {
     Flying& f = *flying_;
     const std::array<Status, 4> readied{f.at.upload(at.x, at.y, at.z),
                                         upload(f.order, minimum_distance_.order()), f.velocity.unmap(),

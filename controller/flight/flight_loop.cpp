@@ -113,7 +113,10 @@ void FlightLoop::look_ahead() noexcept {
 void FlightLoop::decide(Time now) noexcept {
   look_ahead();
   const TickTime tick{ticks_, seconds_flown(now), static_cast<float>(to_seconds(period_))};
-  moved_ += parts_.engine.compute({ahead_.x, ahead_.y, ahead_.z}, tick, desired_.writable());
+  const TickCounts counts = parts_.engine.compute(
+      {ahead_.x, ahead_.y, ahead_.z, command_.x, command_.y, command_.z}, tick, desired_.writable());
+  moved_ += counts.moved;
+  infeasible_ += counts.infeasible;
   const std::string_view fault = parts_.engine.fault();
   note(engine_source_, now,
        {fault.empty() ? HalFault::kNone : HalFault::kLinkDown, kEveryRobot, parts_.engine.name(), fault});

@@ -71,7 +71,8 @@ class FlightLoop {
   std::vector<FaultLog::Source> goal_sources_;  // one a swarm
   std::uint64_t sequence_ = 0;
   std::uint64_t ticks_ = 0;
-  std::uint64_t moved_ = 0;  // agent-ticks in which MDE moved somebody
+  std::uint64_t moved_ = 0;       // agent-ticks in which MDE moved somebody
+  std::uint64_t infeasible_ = 0;  // agent-ticks in which no velocity was clear of everybody
   Time began_{0};
   Time flown_{0};
   // Read once a tick: a request that comes in its middle must not end the flight before it was written.

@@ -24,7 +24,7 @@ Columns fly_one_tick(Engine& engine, const SmallWorld& world, const Columns& at,
   const std::size_t agents = at.x.size();
   EXPECT_TRUE(engine.prepare(world.swarms, agents));
   Columns out(agents);
-  const std::size_t count = engine.compute(at.positions(), kTick, out.velocities());
+  const std::size_t count = engine.compute(at.positions(), kTick, out.velocities()).moved;
   EXPECT_EQ(engine.fault(), "");
   if (moved != nullptr) {
     *moved = count;

@@ -18,15 +18,15 @@ class MadeEngine final : public Engine {
     }
     return {};
   }
-  std::size_t compute(const PositionColumns& at, const TickTime&,
-                      const VelocityColumns& out) noexcept override {
+  TickCounts compute(const AgentColumns& at, const TickTime&, const VelocityColumns& out) noexcept override {
     for (int round = 0; round < rounds_; ++round) {
       for (std::size_t a = 0; a < at.x.size(); ++a) {
         out.x[a] += at.x[a] * at.x[a];
       }
     }
-    return 0;
+    return {};
   }
+  void move_stimuli(std::size_t, std::span<const glm::vec3>) noexcept override {}
   void replace_fields(std::size_t, const SwarmFields&) noexcept override {}
   std::string_view fault() const noexcept override { return name_ == "faulty" ? "it failed" : ""; }
 

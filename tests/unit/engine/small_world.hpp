@@ -13,7 +13,7 @@ namespace mayfly::test {
 struct Columns {
   std::vector<float> x, y, z;
   explicit Columns(std::size_t n) : x(n), y(n), z(n) {}
-  PositionColumns positions() const { return {x, y, z}; }
+  AgentColumns positions() const { return {x, y, z}; }
   VelocityColumns velocities() { return {x, y, z}; }
   bool operator==(const Columns&) const = default;
 };

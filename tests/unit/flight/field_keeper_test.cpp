@@ -16,16 +16,17 @@ class Reader final : public Engine {
  public:
   std::string_view name() const noexcept override { return "reader"; }
   Result<void> prepare(std::span<const SwarmModel> /*swarms*/, std::size_t /*agents*/) override { return {}; }
-  std::size_t compute(const PositionColumns& /*at*/, const TickTime& /*tick*/,
-                      const VelocityColumns& /*out*/) noexcept override {
+  TickCounts compute(const AgentColumns& /*at*/, const TickTime& /*tick*/,
+                     const VelocityColumns& /*out*/) noexcept override {
     sum = 0.0;
     for (const std::span<const float> table : {walls, guide}) {
       for (const float value : table) {
         sum += static_cast<double>(value);
       }
     }
-    return 0;
+    return {};
   }
+  void move_stimuli(std::size_t /*swarm*/, std::span<const glm::vec3> /*places*/) noexcept override {}
   void replace_fields(std::size_t /*swarm*/, const SwarmFields& fields) noexcept override {
     walls = fields.walls.empty() ? walls : fields.walls;
     guide = fields.guide.empty() ? guide : fields.guide;

@@ -22,7 +22,7 @@ class ScriptedEngine final : public Engine {
  public:
   std::string_view name() const noexcept override { return "scripted"; }
   Result<void> prepare(std::span<const SwarmModel>, std::size_t) override { return {}; }
-  std::size_t compute(const PositionColumns&, const TickTime&, const VelocityColumns& out) noexcept override {
+  TickCounts compute(const AgentColumns&, const TickTime&, const VelocityColumns& out) noexcept override {
     const bool fails = tick_ >= fails_from && tick_ < fails_before;
     ++tick_;
     fault_ = fails ? "the device was lost" : "";
@@ -30,8 +30,9 @@ class ScriptedEngine final : public Engine {
     std::fill(out.x.begin(), out.x.end(), v.x);
     std::fill(out.y.begin(), out.y.end(), v.y);
     std::fill(out.z.begin(), out.z.end(), v.z);
-    return moved;
+    return {moved, 0};
   }
+  void move_stimuli(std::size_t, std::span<const glm::vec3>) noexcept override {}
   void replace_fields(std::size_t, const SwarmFields&) noexcept override {}
   std::string_view fault() const noexcept override { return fault_; }
 
