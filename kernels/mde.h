@@ -26,11 +26,11 @@ typedef struct {
 } MfSorted;
 
 // Unit vectors for pairs at one point, which have no line between them: opposite for the two of a pair.
-MF_FN F3 mf_parting(int self, I other) {
+MF_FN F3 mf_parting(I self, I other) {
   const U h = mf_mix(mf_to_unsigned(other + self));
   const F3 v = mf3(mf_splat(1.0f), mf_to_float(mf_to_signed(h & 255u)) * (1.0f / 128.0f) - 1.0f,
                    mf_to_float(mf_to_signed((h >> 8) & 255u)) * (1.0f / 128.0f) - 1.0f);
-  const F sign = mf_select(other < mf_isplat(self), mf_splat(1.0f), mf_splat(-1.0f));
+  const F sign = mf_select(other < self, mf_splat(1.0f), mf_splat(-1.0f));
   return mf3_scale(mf3_unit(v), sign);
 }
 
@@ -120,7 +120,8 @@ MF_FN void mf_add_pushes(MfPushed* sum, int self, const MfSorted* s, int first, 
       }
       continue;
     }
-    const F3 push = mf_push(line, distance, near_ones, mf_parting(s->id[self], mf_iload(s->id + a)));
+    const F3 push =
+        mf_push(line, distance, near_ones, mf_parting(mf_isplat(s->id[self]), mf_iload(s->id + a)));
     sum->x += mf_sum_fixed(push.x);
     sum->y += mf_sum_fixed(push.y);
     sum->z += mf_sum_fixed(push.z);

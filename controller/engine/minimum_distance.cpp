@@ -114,6 +114,21 @@ void MinimumDistance::prepare(std::span<const SwarmModel> swarms, std::size_t ag
   farthest_move_.assign(agents / kChunk + 1, 0.0F);
 }
 
+void MinimumDistance::look_ahead(const PositionColumns& at, float period_s, const VelocityColumns& velocity,
+                                 ThreadTeam& team) noexcept {
+  if (sweeps_ == 0 || limits_.least_side <= 0.0F) {
+    return;
+  }
+  team.for_ranges(agents_, kChunk, [&](std::size_t first, std::size_t last) {
+    for (std::size_t slot = first; slot < last; ++slot) {
+      const auto a = static_cast<std::size_t>(slots_[slot]);
+      ahead_x_[slot] = at.x[a] + velocity.x[a] * period_s;
+      ahead_y_[slot] = at.y[a] + velocity.y[a] * period_s;
+      ahead_z_[slot] = at.z[a] + velocity.z[a] * period_s;
+    }
+  });
+}
+
 std::size_t MinimumDistance::enforce(const PositionColumns& at, float period_s,
                                      const VelocityColumns& velocity, FirstSweep& first,
                                      ThreadTeam& team) noexcept {

@@ -30,6 +30,9 @@ class MinimumDistance {
   std::span<const int> order() const { return slots_; }
   // One a slot: where its agent will be after the period (m). An engine writes them before enforce().
   VelocityColumns ahead() { return {ahead_x_, ahead_y_, ahead_z_}; }
+  // Writes them for velocities that were changed since; all in the agents' order.
+  void look_ahead(const PositionColumns& at, float period_s, const VelocityColumns& velocity,
+                  ThreadTeam& team) noexcept;
 
   // Corrects `velocity` so that agents at `at` keep their distance after `period_s`; both in the agents'
   // order. Sweeps go on until nobody is too near or all are done. Returns how many agents were moved.

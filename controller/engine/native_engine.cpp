@@ -5,6 +5,7 @@
 #include "controller/engine/engine.hpp"
 #include "controller/engine/minimum_distance.hpp"
 #include "controller/engine/moment.hpp"
+#include "controller/engine/native_avoidance.hpp"
 #include "controller/engine/permutation.hpp"
 #include "controller/engine/thread_team.hpp"
 
@@ -25,6 +26,7 @@ class NativeEngine final : public Engine, private FirstSweep {
   Result<void> prepare(std::span<const SwarmModel> swarms, std::size_t agents) override {
     swarms_.assign(swarms.begin(), swarms.end());
     agents_ = agents;
+    avoidance_.prepare(swarms_, agents, team_.size());
     minimum_distance_.prepare(swarms_, agents);
     return {};
   }
@@ -47,10 +49,18 @@ class NativeEngine final : public Engine, private FirstSweep {
         }
       });
     }
-    return {minimum_distance_.enforce({at.x, at.y, at.z}, tick.period_s, out, *this, team_), 0};
+    const std::size_t infeasible = avoidance_.on() ? avoid(at, tick.period_s, out) : 0;
+    return {minimum_distance_.enforce({at.x, at.y, at.z}, tick.period_s, out, *this, team_), infeasible};
   }
 
  private:
+  std::size_t avoid(const AgentColumns& at, float period_s, const VelocityColumns& out) noexcept {
+    avoidance_.look_round(at, team_);
+    const std::size_t infeasible = avoid_collisions(avoidance_, swarms_, period_s, out, team_);
+    minimum_distance_.look_ahead({at.x, at.y, at.z}, period_s, out, team_);
+    return infeasible;
+  }
+
   void eight_agents(const SwarmModel& swarm, const kernels::MfMoment& moment, const AgentColumns& at,
                     float period_s, const VelocityColumns& out, std::size_t local) noexcept {
     const std::size_t slot = swarm.first + local;
@@ -100,6 +110,7 @@ class NativeEngine final : public Engine, private FirstSweep {
   ThreadTeam team_;
   std::vector<SwarmModel> swarms_;
   std::size_t agents_ = 0;
+  Avoidance avoidance_;
   MinimumDistance minimum_distance_;
 };
 

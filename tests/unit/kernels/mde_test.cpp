@@ -16,7 +16,7 @@ using test::Points;
 F3 push(Vec r, Vec q, float distance, int self = 0, int other = 1) {
   const F3 line = mf3_sub(all_lanes(r), all_lanes(q));
   return mf_push(line, mf_splat(distance), mf_too_near(line, mf_splat(distance)),
-                 mf_parting(self, mf_isplat(other)));
+                 mf_parting(mf_isplat(self), mf_isplat(other)));
 }
 
 TEST(Push, HalfOfTheOverlapEachAlongTheLine) {
@@ -47,7 +47,8 @@ TEST(Push, CoincidentAgentsPartInOppositeDirections) {
 }
 
 TEST(Push, IgnoresLanesThatDoNotCount) {
-  const F3 moved = mf_push(all_lanes({0.1, 0, 0}), mf_splat(1.0F), mf_isplat(0), mf_parting(0, mf_isplat(1)));
+  const F3 moved =
+      mf_push(all_lanes({0.1, 0, 0}), mf_splat(1.0F), mf_isplat(0), mf_parting(mf_isplat(0), mf_isplat(1)));
   EXPECT_EQ(reference::norm(lane(moved)), 0);
 }
 

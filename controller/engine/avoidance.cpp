@@ -1,0 +1,114 @@
+#include "controller/engine/avoidance.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace mayfly {
+namespace {
+
+constexpr std::size_t kChunk = 256;
+
+}  // namespace
+
+void Avoidance::prepare(std::span<const SwarmModel> swarms, std::size_t agents, std::size_t threads) {
+  static_assert(kMostNearest == MF_MAX_NEIGHBOURS);
+  swarms_ = swarms;
+  range_ = 0.0F;
+  most_ = 0;
+  side_ = 0.0F;
+  for (const SwarmModel& swarm : swarms) {
+    if (swarm.avoidance.on != 0) {
+      range_ = std::max(range_, swarm.avoidance.range);
+      most_ = std::max(most_, swarm.avoidance.neighbours);
+    }
+  }
+  first_slot_.assign(swarms.size(), 0);
+  slots_in_.assign(swarms.size(), 0);
+  if (!on()) {
+    return;
+  }
+  grid_.reserve(agents, threads);
+  const std::size_t padded = agents + MF_LANES;
+  swarm_of_.assign(agents, 0);
+  for (std::size_t s = 0; s < swarms.size(); ++s) {
+    std::fill_n(swarm_of_.begin() + static_cast<std::ptrdiff_t>(swarms[s].first), swarms[s].count,
+                static_cast<std::uint16_t>(s));
+    first_slot_[s] = swarms[s].first;
+  }
+  body_.assign(4 * padded, 0.0F);
+  motion_.assign(4 * padded, 0.0F);
+  nearest_.assign(kMostNearest * padded, -1);
+  slots_.assign(padded, 0);
+}
+
+void Avoidance::look_round(const AgentColumns& at, ThreadTeam& team) noexcept {
+  sort(at, team);
+  take_bodies(at, team);
+  take_slots();
+  find_neighbours(team);
+}
+
+// Cells are as long as the longest range; in a crowd so short that a ball of that radius holds about twice as
+// many as are looked for. Sorting says how crowded they were.
+void Avoidance::sort(const AgentColumns& at, ThreadTeam& team) noexcept {
+  constexpr int kRounds = 20;
+  const float wanted = 0.6F * static_cast<float>(most_);  // agents a cell
+  const bool first_tick = side_ <= 0.0F;
+  side_ = first_tick ? range_ : side_;
+  for (int round = 0; round < (first_tick ? kRounds : 1); ++round) {
+    grid_.sort({at.x, at.y, at.z}, side_, team);
+    const auto company = static_cast<float>(grid_.mean_company());
+    if (company > 2.0F * wanted) {
+      side_ = std::max(side_ * std::cbrt(std::max(wanted / company, 1e-3F)), 1e-6F * range_);
+      continue;
+    }
+    side_ = company < 0.7F * wanted ? std::min(1.1F * side_, range_) : side_;
+    break;
+  }
+}
+
+void Avoidance::take_bodies(const AgentColumns& at, ThreadTeam& team) noexcept {
+  const bool told = !at.vx.empty();
+  team.for_ranges(grid_.size(), kChunk, [&](std::size_t first, std::size_t last) {
+    for (std::size_t slot = first; slot < last; ++slot) {
+      const auto agent = static_cast<std::size_t>(grid_.id()[slot]);
+      const SwarmModel& swarm = swarms_[swarm_of_[agent]];
+      float* body = &body_[4 * slot];
+      body[0] = grid_.x()[slot];
+      body[1] = grid_.y()[slot];
+      body[2] = grid_.z()[slot];
+      body[3] = swarm.avoidance.on != 0 ? swarm.avoidance.radius : swarm.field.radius;
+      float* motion = &motion_[4 * slot];
+      const bool moves = told && std::isfinite(at.vx[agent] + at.vy[agent] + at.vz[agent]);
+      motion[0] = moves ? at.vx[agent] : 0.0F;
+      motion[1] = moves ? at.vy[agent] : 0.0F;
+      motion[2] = moves ? at.vz[agent] : 0.0F;
+      motion[3] = swarm.avoidance.on != 0 ? 1.0F : 0.0F;
+    }
+  });
+}
+
+void Avoidance::take_slots() noexcept {
+  std::fill(slots_in_.begin(), slots_in_.end(), std::size_t{0});
+  for (std::size_t slot = 0; slot < grid_.size(); ++slot) {
+    const std::size_t s = swarm_of_[static_cast<std::size_t>(grid_.id()[slot])];
+    if (swarms_[s].avoidance.on != 0) {
+      slots_[first_slot_[s] + slots_in_[s]++] = static_cast<int>(slot);
+    }
+  }
+}
+
+void Avoidance::find_neighbours(ThreadTeam& team) noexcept {
+  team.for_ranges(grid_.size(), kChunk, [&](std::size_t first, std::size_t last) {
+    for (std::size_t slot = first; slot < last; ++slot) {
+      const kernels::MfAvoidance& a =
+          swarms_[swarm_of_[static_cast<std::size_t>(grid_.id()[slot])]].avoidance;
+      if (a.on != 0) {
+        find_nearest(grid_, slot, {a.range, a.neighbours},
+                     std::span(nearest_).subspan(slot * kMostNearest).first<kMostNearest>());
+      }
+    }
+  });
+}
+
+}  // namespace mayfly
