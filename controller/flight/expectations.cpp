@@ -44,6 +44,15 @@ std::optional<double> measured(const Expectation& expectation, const Summary& su
     case Quantity::kGoalDistance:
     case Quantity::kTurns:
     case Quantity::kSpread:
+    case Quantity::kPolarisation:
+    case Quantity::kMilling:
+    case Quantity::kNearest:
+    case Quantity::kStimulusDistance:
+    case Quantity::kArrived:
+    case Quantity::kClearing:
+    case Quantity::kParting:
+    case Quantity::kClosing:
+    case Quantity::kInfeasible:
       return asked;
   }
   return std::nullopt;

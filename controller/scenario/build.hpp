@@ -48,9 +48,22 @@ WorldSpec build_world(const Values& world, const FileRoots& roots, Findings& fin
 std::optional<PathSpec> build_path(const Values& shape, Findings& findings);
 void check_goal_path(const Values& values, const GoalSpec& goal, const Box& bounds, Findings& findings);
 
-// These two need the world and the swarms of `scenario`.
+// What moves the swarm of `values`, of which all but this is known: `swarm` is completed.
+void build_models(const Values& values, SwarmSpec& swarm, Findings& findings);
+// Who of it is there.
+void build_roster(const Values& values, SwarmSpec& swarm, Findings& findings);
+
+// These need the world and the swarms of `scenario`.
 std::vector<BrushSpec> build_brushes(const Values& world, const Scenario& scenario, Findings& findings);
-std::vector<LampSpec> build_lamps(const Values& top, const Scenario& scenario, Findings& findings);
+struct Stimuli {
+  std::vector<LampSpec> lamps;
+  std::vector<StimulusSpec> others;
+};
+Stimuli build_stimuli(const Values& top, const Scenario& scenario, Findings& findings);
+// The name of the swarm that feels what `values` is; empty for all.
+std::string swarm_of(const Values& values, const Scenario& scenario, Findings& findings);
+void check_reaches(const YamlMark& mark, const char* what, glm::vec3 center, float reach, const Box& bounds,
+                   Findings& findings);
 // What only all brushes and lamps together show. Needs both in `scenario`.
 void check_pulls(const Scenario& scenario, Findings& findings);
 

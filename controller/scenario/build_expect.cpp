@@ -1,3 +1,6 @@
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <array>
 #include <string_view>
 
@@ -16,7 +19,7 @@ struct QuantityKey {
 };
 
 // In the order of Expectation::Quantity.
-constexpr std::array<QuantityKey, 16> kQuantities = {{{"reached", "fraction"},
+constexpr std::array<QuantityKey, 25> kQuantities = {{{"reached", "fraction"},
                                                       {"min_separation", nullptr},
                                                       {"penetrations", nullptr},
                                                       {"collisions", nullptr},
@@ -31,7 +34,16 @@ constexpr std::array<QuantityKey, 16> kQuantities = {{{"reached", "fraction"},
                                                       {"drift", "distance"},
                                                       {"goal_distance", "distance"},
                                                       {"turns", "number"},
-                                                      {"spread", "radius"}}};
+                                                      {"spread", "radius"},
+                                                      {"polarisation", "order"},
+                                                      {"milling", "order"},
+                                                      {"nearest_neighbour", "distance"},
+                                                      {"stimulus_distance", "distance"},
+                                                      {"arrived", "fraction"},
+                                                      {"clearing", "distance"},
+                                                      {"parting", "ratio"},
+                                                      {"closing", "ratio"},
+                                                      {"infeasible", nullptr}}};
 
 void read_measure(Expectation& result, const std::string& written) {
   const auto comparison = read_comparison(written);
@@ -53,6 +65,17 @@ std::string build_swarm_name(const Values& values, const Scenario& scenario, Fin
   return names.empty() ? std::string() : names.front();
 }
 
+// Where somebody has to have a goal.
+void check_has_goal(const Values& values, const std::string& name, const Scenario& scenario,
+                    Findings& findings) {
+  for (const SwarmSpec& swarm : scenario.swarms) {
+    if (swarm.name == name && swarm.goal.empty()) {
+      findings.error(values.mark("swarm"), fmt::format("swarm '{}' has no goal", name), "",
+                     "a swarm with 'goal: '");
+    }
+  }
+}
+
 void build_reached(Expectation& result, const Values& values, const Scenario& scenario, Findings& findings) {
   if (values.has("swarm")) {
     find_named(values, "swarm", names_of(scenario.swarms), "swarm", findings);
@@ -62,6 +85,11 @@ void build_reached(Expectation& result, const Values& values, const Scenario& sc
   }
   result.swarm = values.text("swarm");
   result.goal = values.text("goal");
+  check_has_goal(values, result.swarm, scenario, findings);
+  if (result.swarm.empty() && std::all_of(scenario.swarms.begin(), scenario.swarms.end(),
+                                          [](const SwarmSpec& swarm) { return swarm.goal.empty(); })) {
+    findings.error(values.mark("fraction"), "no swarm has a goal", "", "a swarm with 'goal: '");
+  }
 }
 
 void build_turns(Expectation& result, const Values& values, const Scenario& scenario, Findings& findings) {
@@ -73,12 +101,46 @@ void build_turns(Expectation& result, const Values& values, const Scenario& scen
   result.around = lamp < scenario.lamps.size() ? scenario.lamps[lamp].position : glm::vec3(0.0F);
 }
 
+void build_stimulus_name(Expectation& result, const Values& values, const Scenario& scenario,
+                         Findings& findings) {
+  std::vector<std::string> names = names_of(scenario.lamps);
+  for (const StimulusSpec& stimulus : scenario.stimuli) {
+    if (stimulus.kind != StimulusSpec::Kind::kAhead) {
+      names.push_back(stimulus.name);
+    }
+  }
+  find_named(values, "stimulus", names, "stimulus", findings);
+  result.stimulus = values.text("stimulus");
+}
+
+void build_arrived(Expectation& result, const Values& values, const Scenario& scenario, Findings& findings) {
+  result.within = values.number_f("within");
+  if (!values.has("at")) {
+    return;
+  }
+  result.at = values.number("at");
+  if (*result.at > scenario.duration) {
+    findings.error(values.mark("at"), "the run is over by then", fmt::format("{:g} s", *result.at),
+                   fmt::format("at most its duration, {:g} s", scenario.duration));
+  }
+}
+
 // What is measured of one swarm.
 void build_motion(Expectation& result, const Values& values, const Scenario& scenario, Findings& findings) {
   result.swarm = build_swarm_name(values, scenario, findings);
   if (result.quantity == Quantity::kGoalDistance && values.has("goal")) {
     find_named(values, "goal", names_of(scenario.world.goals), "goal", findings);
     result.goal = values.text("goal");
+  } else if (result.quantity == Quantity::kGoalDistance) {
+    check_has_goal(values, result.swarm, scenario, findings);
+  }
+  if (values.has("stimulus")) {
+    build_stimulus_name(result, values, scenario, findings);
+    result.text += " by " + result.stimulus;
+  }
+  if (result.quantity == Quantity::kArrived) {
+    build_arrived(result, values, scenario, findings);
+    result.text += result.at ? fmt::format(" at {:g} s", *result.at) : "";
   }
   if (result.quantity == Quantity::kTurns) {
     build_turns(result, values, scenario, findings);

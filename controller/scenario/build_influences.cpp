@@ -1,4 +1,5 @@
-// Brushes and lamps: what draws agents or keeps them away, beside obstacles and goals.
+// Brushes: what draws agents or keeps them away, beside obstacles and goals; and what they share with
+// stimuli.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -13,22 +14,6 @@ namespace {
 
 // Lamps and potential brushes of one swarm; a flight refuses more (MF_MAX_PULLS).
 constexpr std::size_t kMaxPulls = 16;
-
-std::string swarm_of(const Values& values, const Scenario& scenario, Findings& findings) {
-  if (values.has("swarm")) {
-    find_named(values, "swarm", names_of(scenario.swarms), "swarm", findings);
-  }
-  return values.text("swarm");
-}
-
-void check_reaches(const YamlMark& mark, const char* what, glm::vec3 center, float reach, const Box& bounds,
-                   Findings& findings) {
-  const glm::vec3 nearest = glm::clamp(center, bounds.min, bounds.max);
-  if (glm::distance(nearest, center) >= reach) {
-    findings.error(mark, fmt::format("this {} does not reach into world.bounds", what), "",
-                   "one that agents can feel");
-  }
-}
 
 BrushSpec build_brush(const Values& values, const Scenario& scenario, Findings& findings) {
   const bool attracts = values.has("attract");
@@ -70,21 +55,23 @@ void check_attraction(const Values& values, const BrushSpec& brush, const Scenar
   }
 }
 
-LampSpec build_lamp(const Values& values, const Scenario& scenario, Findings& findings) {
-  const Values lamp = values.map("lamp");
-  LampSpec spec;
-  spec.name = lamp.text("name");
-  spec.position = lamp.vector("position");
-  spec.reach = lamp.number_f("reach");
-  spec.speed = lamp.number_f("speed");
-  spec.probability = lamp.number_f("probability");
-  spec.swarm = swarm_of(values, scenario, findings);
-  spec.place = values.mark("lamp").place();
-  check_reaches(lamp.mark("position"), "lamp", spec.position, spec.reach, scenario.world.bounds, findings);
-  return spec;
+}  // namespace
+
+std::string swarm_of(const Values& values, const Scenario& scenario, Findings& findings) {
+  if (values.has("swarm")) {
+    find_named(values, "swarm", names_of(scenario.swarms), "swarm", findings);
+  }
+  return values.text("swarm");
 }
 
-}  // namespace
+void check_reaches(const YamlMark& mark, const char* what, glm::vec3 center, float reach, const Box& bounds,
+                   Findings& findings) {
+  const glm::vec3 nearest = glm::clamp(center, bounds.min, bounds.max);
+  if (glm::distance(nearest, center) >= reach) {
+    findings.error(mark, fmt::format("this {} does not reach into world.bounds", what), "",
+                   "one that agents can feel");
+  }
+}
 
 std::vector<BrushSpec> build_brushes(const Values& world, const Scenario& scenario, Findings& findings) {
   std::vector<BrushSpec> brushes;
@@ -98,21 +85,11 @@ std::vector<BrushSpec> build_brushes(const Values& world, const Scenario& scenar
   return brushes;
 }
 
-std::vector<LampSpec> build_lamps(const Values& top, const Scenario& scenario, Findings& findings) {
-  std::vector<LampSpec> lamps;
-  UniqueNames names("lamp");
-  if (const YamlNode* node = top.node("stimuli")) {
-    for (const YamlNode& item : node->items) {
-      const Values values = top.element("stimuli", item);
-      lamps.push_back(build_lamp(values, scenario, findings));
-      names.add(values.map("lamp"), findings);
-    }
-  }
-  return lamps;
-}
-
 void check_pulls(const Scenario& scenario, Findings& findings) {
   for (const SwarmSpec& swarm : scenario.swarms) {
+    if (!swarm.is_guided()) {
+      continue;
+    }
     const auto feels = [&](const auto& spec) { return spec.swarm.empty() || spec.swarm == swarm.name; };
     std::vector<Place> places;
     for (const BrushSpec& brush : scenario.world.brushes) {

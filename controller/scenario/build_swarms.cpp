@@ -108,7 +108,7 @@ void check_start(const Values& values, const SwarmSpec& swarm, const Box& bounds
 }
 
 void check_speeds(const Values& values, const SwarmSpec& swarm, Findings& findings) {
-  if (swarm.cruise_speed > swarm.limits.speed) {
+  if (swarm.is_guided() && swarm.cruise_speed > swarm.limits.speed) {
     const bool own = values.has("cruise_speed");
     findings.error(
         own ? values.mark("cruise_speed") : values.map("limits").mark("speed"),
@@ -150,6 +150,15 @@ void check_roaming(const Values& values, const SwarmSpec& swarm, const std::vect
   }
 }
 
+void build_goal(const Values& values, const Scenario& scenario, SwarmSpec& swarm, Findings& findings) {
+  if (values.has("goal")) {
+    swarm.goal_index = find_named(values, "goal", names_of(scenario.world.goals), "goal", findings);
+  } else if (swarm.is_guided()) {
+    findings.error(values.mark("goal"), "the key 'goal' is missing in swarms[]", "",
+                   "a name of world.goals: this model is led to its goal");
+  }
+}
+
 SwarmSpec build_swarm(const Values& values, const Scenario& scenario, const FileRoots& roots,
                       Findings& findings) {
   SwarmSpec swarm;
@@ -171,7 +180,9 @@ SwarmSpec build_swarm(const Values& values, const Scenario& scenario, const File
   swarm.robots = build_robots(values, names_of(scenario.hals), findings);
   swarm.start_place = values.mark("start").place();
   swarm.goal_place = values.mark("goal").place();
-  swarm.goal_index = find_named(values, "goal", names_of(scenario.world.goals), "goal", findings);
+  build_models(values, swarm, findings);
+  build_roster(values, swarm, findings);
+  build_goal(values, scenario, swarm, findings);
   check_roaming(values, swarm, scenario.world.goals, findings);
   check_speeds(values, swarm, findings);
   const Box& bounds = scenario.world.bounds;

@@ -148,14 +148,16 @@ WorldSpec build_world(const Values& world, const FileRoots& roots, Findings& fin
       spec.obstacles.push_back(build_obstacle(world.element("obstacles", item), item.mark, roots, findings));
     }
   }
-  for (const YamlEntry& entry : world.node("goals")->entries) {
-    const std::size_t before = findings.errors.size();
-    const Values values = world.element("goals", entry.value);
-    spec.goals.push_back(
-        {entry.key, build_shape(values, roots, findings), entry.mark.place(), build_path(values, findings)});
-    if (has_bounds && findings.errors.size() == before) {
-      check_goal_in_bounds(spec.goals.back(), entry.mark, spec.bounds, findings);
-      check_goal_path(values, spec.goals.back(), spec.bounds, findings);
+  if (const YamlNode* goals = world.node("goals")) {
+    for (const YamlEntry& entry : goals->entries) {
+      const std::size_t before = findings.errors.size();
+      const Values values = world.element("goals", entry.value);
+      spec.goals.push_back({entry.key, build_shape(values, roots, findings), entry.mark.place(),
+                            build_path(values, findings)});
+      if (has_bounds && findings.errors.size() == before) {
+        check_goal_in_bounds(spec.goals.back(), entry.mark, spec.bounds, findings);
+        check_goal_path(values, spec.goals.back(), spec.bounds, findings);
+      }
     }
   }
   return spec;

@@ -32,7 +32,9 @@ ScenarioResult build_scenario(const YamlNode& root, const std::filesystem::path&
   scenario.hals = build_hals(top, scenario.control.rate, findings);
   scenario.swarms = build_swarms(top, scenario, roots, findings);
   scenario.world.brushes = build_brushes(top.map("world"), scenario, findings);
-  scenario.lamps = build_lamps(top, scenario, findings);
+  Stimuli stimuli = build_stimuli(top, scenario, findings);
+  scenario.lamps = std::move(stimuli.lamps);
+  scenario.stimuli = std::move(stimuli.others);
   check_pulls(scenario, findings);
   scenario.field_rate = top.map("planners").map("fields").number_f("rate");
   if (findings.errors.empty()) {

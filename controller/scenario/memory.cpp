@@ -47,8 +47,9 @@ bool is_solved_in_flight(const Scenario& scenario) {
   const auto moves = [](const auto& spec) { return spec.path.has_value(); };
   return std::any_of(scenario.world.goals.begin(), scenario.world.goals.end(), moves) ||
          std::any_of(scenario.world.obstacles.begin(), scenario.world.obstacles.end(), moves) ||
-         std::any_of(scenario.swarms.begin(), scenario.swarms.end(),
-                     [](const SwarmSpec& swarm) { return swarm.cost.density_weight > 0.0F; });
+         std::any_of(scenario.swarms.begin(), scenario.swarms.end(), [](const SwarmSpec& swarm) {
+           return swarm.is_guided() && swarm.cost.density_weight > 0.0F;
+         });
 }
 
 }  // namespace
@@ -56,8 +57,10 @@ bool is_solved_in_flight(const Scenario& scenario) {
 double field_bytes_per_cell(const Scenario& scenario) {
   std::set<std::tuple<std::string, float, float, float, float>> guides;
   for (const SwarmSpec& swarm : scenario.swarms) {
-    guides.emplace(swarm.goal, swarm.cost.length_weight, swarm.cost.repulsion_weight,
-                   swarm.cost.influence.value_or(0.0F), swarm.radius);
+    if (swarm.is_guided()) {
+      guides.emplace(swarm.goal, swarm.cost.length_weight, swarm.cost.repulsion_weight,
+                     swarm.cost.influence.value_or(0.0F), swarm.radius);
+    }
   }
   const double kept = kDistance + kGuide * static_cast<double>(guides.size());
   // What is solved in flight is written beside what is flown by.

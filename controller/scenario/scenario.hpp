@@ -12,29 +12,15 @@
 #include <string>
 #include <vector>
 
+#include "controller/scenario/expectation.hpp"
+#include "controller/scenario/model_specs.hpp"
+#include "controller/scenario/path_spec.hpp"
+#include "controller/scenario/stimulus_specs.hpp"
 #include "core/grid.hpp"
 #include "core/result.hpp"
 #include "fields/shape.hpp"
 
 namespace mayfly {
-
-// How a shape moves: in straight lines from point to point at one speed. The shape is given where it is at
-// the start; at a later time it is displaced by where the path has got to, less the path's first point.
-struct PathSpec {
-  std::vector<glm::vec3> points;  // m, at least two, not all the same
-  float speed = 1.0F;             // m/s
-  // From the last point straight back to the first, for ever; otherwise the shape stays at the last.
-  bool loop = false;
-  Place place;
-
-  // m, at `time_s` after the start (s; the first point before it). Allocates nothing.
-  glm::vec3 displacement(double time_s) const noexcept;
-  // m/s, of the displacement; zero where it has come to its end.
-  glm::vec3 velocity(double time_s) const noexcept;
-  // The first of the points at which a shape, `shape` at the start, does not lie inside `bounds`. Between two
-  // points that lie inside it does as well.
-  std::optional<std::size_t> first_point_outside(const Box& shape, const Box& bounds) const;
-};
 
 struct ObstacleSpec {
   fields::Shape shape;
@@ -77,18 +63,6 @@ struct WorldSpec {
   std::vector<BrushSpec> brushes;
 };
 
-// A light that agents fly to now and then (Wang14 §6, phototaxis).
-struct LampSpec {
-  std::string name;
-  glm::vec3 position{0.0F};  // m
-  float reach = 1.0F;        // m; farther agents do not see it
-  float speed = 1.0F;        // m/s toward it, on top of the field
-  float probability = 0.0F;  // that an agent answers at a tick
-  std::string swarm;         // empty: all
-  Place place;
-};
-
-enum class Model { kField };  // later: forces, shape, pso, boids, orca, brownian
 enum class NoiseKind { kNone, kCurl, kPerlin, kWhite, kGaussian };
 // What agents do in their goal: come to rest, each at a place of its own, or fly on there by noise alone.
 enum class AtGoal { kRest, kRoam };
@@ -103,7 +77,7 @@ struct NoiseSpec {
   // Octaves: the potentials of one (scale, gain) pair each are added (Wang14 Eq. 1).
   struct Octave {
     float scale = 0.4F;  // m
-    float gain = 0.25F;  // m²/s
+    float gain = 0.25F;  // m²/s; of the force model, whose noise is a force, m²/s²
   };
   std::vector<Octave> octaves{Octave{}};
 };
@@ -125,9 +99,13 @@ struct SwarmSpec {
   std::string name;
   int count = 0;
   fields::Shape start;  // BoxShape or SphereShape
-  std::string goal;
+  std::string goal;     // empty: it has none, which only models that need no guide allow
   AtGoal at_goal = AtGoal::kRest;
   Model model = Model::kField;
+  ForcesSpec forces;
+  BoidsSpec boids;
+  BrownianSpec brownian;
+  AvoidanceSpec avoidance;
   NoiseSpec noise;
   CostSpec cost;
   float cruise_speed = 1.5F;      // m/s, Wang14's s0
@@ -136,11 +114,16 @@ struct SwarmSpec {
   float radius = 0.05F;  // m, the body
   int mde_sweeps = 8;
   bool governor = true;
+  std::optional<JoinSpec> join;  // empty: all are there from the start
+  std::optional<LeaveSpec> leave;
   std::string robots;          // the name of a HAL below
   Place place;                 // of the swarm
   Place start_place;           // of its start
   Place goal_place;            // of its goal's name
-  std::size_t goal_index = 0;  // of its goal in WorldSpec::goals
+  std::size_t goal_index = 0;  // of its goal in WorldSpec::goals, where it has one
+
+  // Whether a cost field leads it to its goal.
+  bool is_guided() const { return model == Model::kField || model == Model::kOrca; }
 };
 
 enum class PlantKind { kIdeal, kVelocityLag, kDoubleIntegrator };
@@ -163,35 +146,6 @@ struct SimHalSpec {
 struct HalSpec {
   std::string name;
   SimHalSpec sim;  // kind: sim is the only one so far
-};
-
-struct Expectation {
-  enum class Quantity {
-    kReached,
-    kMinSeparation,
-    kPenetrations,
-    kCollisions,
-    kMdePercent,
-    kMaxSpeed,
-    kMaxAcceleration,
-    kGovernorInterventions,
-    kMissed,
-    kFaults,
-    kFieldAge,       // s, the oldest field that was flown by
-    kWallClearance,  // m, the least distance of an agent's centre to an obstacle
-    kCentreDrift,    // m, the farthest that a swarm's centre was from where it started
-    kGoalDistance,   // m, mean over agents and the flight's second half
-    kTurns,          // mean |turns| of an agent about a vertical axis
-    kSpread          // m, radius of gyration, mean of the flight's last tenth
-  };
-  enum class Comparison { kGreaterEqual, kLessEqual, kEqual, kGreater, kLess };
-  Quantity quantity = Quantity::kPenetrations;
-  std::string swarm;  // of those that have one; empty for all
-  std::string goal;   // kReached, kGoalDistance; empty: each swarm's own
-  Comparison comparison = Comparison::kEqual;
-  double wanted = 0.0;
-  std::string text;                   // as written, for the summary: "reached flies at exit"
-  std::optional<glm::vec3> around{};  // m, kTurns only: where the axis stands
 };
 
 struct ControlSpec {
@@ -217,6 +171,7 @@ struct Scenario {
   WorldSpec world;
   std::vector<SwarmSpec> swarms;
   std::vector<LampSpec> lamps;
+  std::vector<StimulusSpec> stimuli;
   // Hz, how often fields are solved again where goals or obstacles move or density counts.
   float field_rate = 5.0F;
   ControlSpec control;

@@ -17,14 +17,24 @@ void add_swarm_quantity(Rows& rows, const std::string& path, const std::string& 
                   .text = "Which swarm."});
 }
 
-void add_measure(Rows& rows, const std::string& path, const std::string& unit, const std::string& text) {
+void add_measure(Rows& rows, const std::string& path, const std::string& unit, const std::string& text,
+                 double max = 1e9) {
   rows.push_back({.path = path,
                   .type = KeyType::kComparison,
                   .unit = unit,
                   .min = 0.0,
-                  .max = 1e9,
+                  .max = max,
                   .required = true,
                   .text = text});
+}
+
+// A quantity of one swarm and one stimulus.
+void add_stimulus_quantity(Rows& rows, const std::string& path, const std::string& text) {
+  add_swarm_quantity(rows, path, text);
+  rows.push_back({.path = path + ".stimulus",
+                  .type = KeyType::kName,
+                  .required = true,
+                  .text = "Which lamp, predator, food or mate."});
 }
 
 // How a swarm moves as a whole.
@@ -57,6 +67,57 @@ void add_motion_rows(Rows& rows, const std::string& at) {
   add_swarm_quantity(rows, at + ".spread", "How far the swarm is spread about its centre.");
   add_measure(rows, at + ".spread.radius", "m",
               "The radius of gyration (root mean square distance), mean of the run's last tenth.");
+}
+
+// What swarms of insects are known by.
+void add_order_rows(Rows& rows, const std::string& at) {
+  add_swarm_quantity(rows, at + ".polarisation", "Whether all fly the same way.");
+  add_measure(rows, at + ".polarisation.order", "",
+              "The length of the mean of the agents' directions, mean of the run's second half: 1 where all "
+              "fly the same way.",
+              1.0);
+  add_swarm_quantity(rows, at + ".milling", "Whether all circle their centre the same way round.");
+  add_measure(rows, at + ".milling.order", "",
+              "The mean over agents of the sine between their way from the centre and their velocity, both "
+              "seen from above, without its sign; mean of the run's second half: 1 where all circle.",
+              1.0);
+  add_swarm_quantity(rows, at + ".nearest_neighbour", "How far an agent is from the nearest of its swarm.");
+  add_measure(rows, at + ".nearest_neighbour.distance", "m",
+              "The mean over the agents and the run's second half.");
+}
+
+// What swarms do about what they feel.
+void add_answer_rows(Rows& rows, const std::string& at) {
+  add_stimulus_quantity(rows, at + ".stimulus_distance", "How far the agents are from a stimulus.");
+  add_measure(rows, at + ".stimulus_distance.distance", "m",
+              "The mean over the agents and the run's second half.");
+  add_stimulus_quantity(rows, at + ".arrived", "How many agents are near a stimulus.");
+  rows.push_back({.path = at + ".arrived.within",
+                  .type = KeyType::kNumber,
+                  .unit = "m",
+                  .min = 0.0,
+                  .max = kFarthest,
+                  .above_min = true,
+                  .required = true,
+                  .text = "How near that is."});
+  rows.push_back({.path = at + ".arrived.at",
+                  .type = KeyType::kNumber,
+                  .unit = "s",
+                  .min = 0.0,
+                  .max = 1e6,
+                  .fallback_text = "at the run's end",
+                  .text = "When."});
+  add_measure(rows, at + ".arrived.fraction", "",
+              "The share of the swarm's agents, those counted that have not joined yet, from 0 to 1.", 1.0);
+  add_stimulus_quantity(rows, at + ".clearing", "How near any agent came to a stimulus.");
+  add_measure(rows, at + ".clearing.distance", "m", "The least distance at any tick.");
+  add_stimulus_quantity(rows, at + ".parting",
+                        "How far the swarm is driven apart, from the tick at which a stimulus first has an "
+                        "agent in its reach.");
+  add_measure(rows, at + ".parting.ratio", "", "The largest radius of gyration by that of this tick.");
+  add_stimulus_quantity(rows, at + ".closing", "Whether the swarm has come together again after that.");
+  add_measure(rows, at + ".closing.ratio", "",
+              "The radius of gyration of the run's last tenth by that of the same tick.");
 }
 
 }  // namespace
@@ -110,6 +171,11 @@ void add_expect_rows(Rows& rows) {
            "The age of the oldest field that was flown by, of those solved in flight.");
   quantity("wall_clearance", "m", 1e6, "The least distance of an agent's centre to an obstacle.");
   add_motion_rows(rows, at);
+  add_order_rows(rows, at);
+  add_answer_rows(rows, at);
+  quantity("infeasible", "", 1.0,
+           "The share of agent-ticks, of swarms that avoid collisions, without a velocity clear of "
+           "everybody.");
 }
 
 }  // namespace mayfly

@@ -19,11 +19,13 @@ SI units, without the unit written behind them; the world's frame is x east, y n
 In the tables, `[]` stands for any element of a list and `*` for a name that you choose (letters, digits, `_` and `-`).
 A bold key is required. Numbers must be finite.
 
-What is checked beyond single keys: boxes are not empty; goals, HALs, lamps and swarms that are named exist, and no name is
-given twice; starts lie inside the bounds, and have room for their agents at `limits.separation`; a goal that moves stays
-inside the bounds all the way, which an obstacle need not; brushes and lamps reach into the bounds, and no swarm feels more
-than 16 lamps and `potential` brushes; the cruise speed is within `limits.speed`; a plant is stepped at least at the control
-rate; the fields take at most 4 GB, and no more than the machine has left; all swarms together have at most 2 000 000 agents.
+What is checked beyond single keys: boxes are not empty; goals, HALs, stimuli and swarms that are named exist, and no name
+is given twice; starts lie inside the bounds, and have room for their agents at `limits.separation`; a goal that moves stays
+inside the bounds all the way, which an obstacle need not; brushes and stimuli that stand still reach into the bounds; no
+swarm feels more than 16 lamps and `potential` brushes, or, of the model `forces`, more than 8 stimuli, and what is not a
+lamp is felt by a swarm of that model; no more agents join or leave than there are; the cruise speed is within
+`limits.speed`; a plant is stepped at least at the control rate; the fields take at most 4 GB, and no more than the machine
+has left; all swarms together have at most 2 000 000 agents.
 
 ## Files
 Paths are relative to the scenario's folder. With symbolic links resolved, they must stay in that folder or in the project:

@@ -147,11 +147,12 @@ void add_half_space_rows(std::vector<Key>& rows, const std::string& path) {
                   .text = "How far along the normal the surface is from the origin."});
 }
 
+}  // namespace
+
 void add_path_rows(std::vector<Key>& rows, const std::string& path) {
-  rows.push_back(
-      {.path = path,
-       .type = KeyType::kMap,
-       .text = "How it moves: the shape is where it is given at the start, and goes as the path goes."});
+  rows.push_back({.path = path,
+                  .type = KeyType::kMap,
+                  .text = "How it moves: it is where it is given at the start, and goes as the path goes."});
   rows.push_back({.path = path + ".points",
                   .type = KeyType::kList,
                   .min = 2,
@@ -178,8 +179,6 @@ void add_path_rows(std::vector<Key>& rows, const std::string& path) {
        .fallback = "off",
        .text = "From the last point straight back to the first, for ever; otherwise it stays at the last."});
 }
-
-}  // namespace
 
 void add_shape_rows(std::vector<Key>& rows, const std::string& path, ShapeSet set) {
   if (set != ShapeSet::kStart) {

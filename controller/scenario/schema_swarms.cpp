@@ -40,7 +40,8 @@ void add_noise_rows(Rows& rows, const std::string& path) {
                     .max = 1e4,
                     .required = gain.empty(),
                     .fallback = gain,
-                    .text = "The height of the potential; noise speed is about 1.7 · gain / scale."});
+                    .text = "The height of the potential; noise speed is about 1.7 · gain / scale. To the "
+                            "model `forces` noise is a force: m²/s²."});
   };
   octave(path, "0.4", "0.25");
   rows.push_back({.path = path + ".drift",
@@ -180,8 +181,11 @@ void add_swarm_rows(Rows& rows) {
                   .required = true,
                   .text = "The region agents start in: a box or a sphere."});
   add_shape_rows(rows, at + ".start", ShapeSet::kStart);
-  rows.push_back(
-      {.path = at + ".goal", .type = KeyType::kName, .required = true, .text = "A name of `world.goals`."});
+  rows.push_back({.path = at + ".goal",
+                  .type = KeyType::kName,
+                  .fallback_text = "required by the models `field` and `orca`",
+                  .text = "A name of `world.goals`. Other models are not led to it: it is where they are "
+                          "said to have got to."});
   rows.push_back({.path = at + ".at_goal",
                   .type = KeyType::kChoice,
                   .fallback = "rest",
@@ -192,13 +196,16 @@ void add_swarm_rows(Rows& rows) {
   rows.push_back({.path = at + ".model",
                   .type = KeyType::kChoice,
                   .fallback = "field",
-                  .choices = {"field"},
-                  .later = {"forces", "shape", "pso", "boids", "orca", "brownian"},
-                  .text = "What moves the agents."});
+                  .choices = {"field", "forces", "boids", "orca", "brownian"},
+                  .later = {"shape", "pso"},
+                  .text = "What moves the agents: fields that lead to the goal, with noise (Wang14); forces "
+                          "between them (BSwarm15); Reynolds' rules; fields without noise, with collision "
+                          "avoidance; or chance (Schweitzer 1998)."});
   rows.push_back(
       {.path = at + ".preset",
        .type = KeyType::kText,
        .text = "A file of config/presets, without its ending, whose keys are this swarm's defaults."});
+  add_model_rows(rows, at);
   add_noise_rows(rows, at + ".noise");
   add_cost_rows(rows, at + ".cost");
   rows.push_back({.path = at + ".cruise_speed",

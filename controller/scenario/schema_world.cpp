@@ -1,4 +1,4 @@
-// The rows of what stands in the world, and of what draws agents there.
+// The rows of what stands in the world.
 #include <string>
 
 #include "controller/scenario/schema_rows.hpp"
@@ -7,13 +7,6 @@ namespace mayfly {
 namespace {
 
 using Rows = std::vector<Key>;
-
-void add_swarm_of_row(Rows& rows, const std::string& path) {
-  rows.push_back({.path = path + ".swarm",
-                  .type = KeyType::kName,
-                  .fallback_text = "all swarms",
-                  .text = "The one swarm that feels it."});
-}
 
 void add_brush_rows(Rows& rows) {
   const std::string at = "world.brushes[]";
@@ -69,6 +62,13 @@ void add_brush_rows(Rows& rows) {
 
 }  // namespace
 
+void add_swarm_of_row(Rows& rows, const std::string& path) {
+  rows.push_back({.path = path + ".swarm",
+                  .type = KeyType::kName,
+                  .fallback_text = "all swarms",
+                  .text = "The one swarm that feels it."});
+}
+
 void add_world_rows(Rows& rows) {
   rows.push_back(
       {.path = "world", .type = KeyType::kMap, .required = true, .text = "Where the swarm flies."});
@@ -116,65 +116,11 @@ void add_world_rows(Rows& rows) {
   add_shape_rows(rows, "world.obstacles[]", ShapeSet::kObstacle);
   rows.push_back({.path = "world.goals",
                   .type = KeyType::kNamedMap,
-                  .required = true,
+                  .fallback = "{}",
                   .text = "The places swarms fly to, by name."});
   rows.push_back({.path = "world.goals.*", .type = KeyType::kMap, .text = "One goal: exactly one shape."});
   add_shape_rows(rows, "world.goals.*", ShapeSet::kGoal);
   add_brush_rows(rows);
-}
-
-void add_stimulus_rows(std::vector<Key>& rows) {
-  const std::string at = "stimuli[]";
-  const std::string lamp = at + ".lamp";
-  rows.push_back({.path = "stimuli",
-                  .type = KeyType::kList,
-                  .max = 1000,
-                  .fallback = "[]",
-                  .text = "What single agents answer to."});
-  rows.push_back({.path = at, .type = KeyType::kMap, .text = "One stimulus: exactly one kind."});
-  rows.push_back({.path = lamp,
-                  .type = KeyType::kMap,
-                  .group = "stimulus",
-                  .text = "A light: now and then an agent flies straight at it (Wang14 §6)."});
-  rows.push_back(
-      {.path = lamp + ".name", .type = KeyType::kName, .required = true, .text = "What `expect` calls it."});
-  rows.push_back({.path = lamp + ".position",
-                  .type = KeyType::kVector,
-                  .unit = "m",
-                  .min = -kFarthest,
-                  .max = kFarthest,
-                  .required = true,
-                  .text = "Where it hangs."});
-  rows.push_back({.path = lamp + ".reach",
-                  .type = KeyType::kNumber,
-                  .unit = "m",
-                  .min = 0.0,
-                  .max = 2.0 * kFarthest,
-                  .above_min = true,
-                  .required = true,
-                  .text = "How far it is seen."});
-  rows.push_back({.path = lamp + ".speed",
-                  .type = KeyType::kNumber,
-                  .unit = "m/s",
-                  .min = 0.0,
-                  .max = 1000.0,
-                  .above_min = true,
-                  .required = true,
-                  .text = "The velocity toward it, on top of all others."});
-  rows.push_back({.path = lamp + ".probability",
-                  .type = KeyType::kNumber,
-                  .min = 0.0,
-                  .max = 1.0,
-                  .required = true,
-                  .text = "That an agent which sees it answers, at one tick."});
-  for (const std::string kind : {"predator", "mate"}) {
-    rows.push_back({.path = at + "." + kind,
-                    .type = KeyType::kMap,
-                    .group = "stimulus",
-                    .available = false,
-                    .text = kind == "mate" ? "Another agent." : "A hunter."});
-  }
-  add_swarm_of_row(rows, at);
 }
 
 }  // namespace mayfly
