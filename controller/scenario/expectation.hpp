@@ -37,13 +37,13 @@ struct Expectation {
   };
   enum class Comparison { kGreaterEqual, kLessEqual, kEqual, kGreater, kLess };
   Quantity quantity = Quantity::kPenetrations;
-  std::string swarm;       // of those that have one; empty for all
-  std::string goal;        // kReached, kGoalDistance; empty: each swarm's own
-  std::string stimulus{};  // of those that are about one
+  std::string swarm;  // of those that have one; empty for all
+  std::string goal;   // kReached, kGoalDistance; empty: each swarm's own
   Comparison comparison = Comparison::kEqual;
   double wanted = 0.0;
   std::string text;                   // as written, for the summary: "reached flies at exit"
   std::optional<glm::vec3> around{};  // m, kTurns only: where the axis stands
+  std::string stimulus{};             // of those that are about one
   float within = 0.0F;                // m, kArrived only
   std::optional<double> at{};         // s, kArrived only: when; empty: at the flight's end
 };
