@@ -57,6 +57,7 @@ typedef struct {
   float range;         // m, nobody farther is considered
   int neighbours;      // the nearest so many are, at most MF_MAX_NEIGHBOURS
   float most_speed;    // m/s
+  int strict;          // 1: no two of them touch even in a jam, where both are strict; it slows a dense flock
 } MfAvoidance;
 
 #define MF_MAX_NEIGHBOURS 16

@@ -42,17 +42,16 @@ MF_FN MfBody mf_body(const MfMinded* all, I slot) {
 }
 
 // A half-space along `n` that lets an agent near what is `clearance` (m) away no faster than rate ×
-// clearance; nearer than nothing, it leads out, at half the greatest speed at most: two or three such can be
-// kept at once.
-MF_FN void mf_add_hard(MfPlanes* c, F3 n, F clearance, float rate, float most) {
-  const F d = mf_min(-clearance * rate, mf_splat(0.5f * most));
+// clearance, and a drift (m/s) of that; nearer than nothing, it leads out, at half the greatest speed at
+// most: two or three such can be kept at once. Who cannot come near has none.
+MF_FN void mf_add_clearance(MfPlanes* c, F3 n, F clearance, F rate, F drift, float most) {
+  const F d = mf_min(drift - clearance * rate, mf_splat(0.5f * most));
   const I binds = d > mf_splat(-most);
   if (!mf_any(binds)) return;
   MfPlane p;
   p.n = n;
   p.d = d;
   c->plane[c->count++] = mf_plane_select(binds, p, mf_no_plane());
-  c->hard = c->count;
 }
 
 // The nearer of the two bounds along one axis.
@@ -60,7 +59,7 @@ MF_FN void mf_add_bound(MfPlanes* c, F at, float low, float high, F3 axis, float
   const F below = at - low;
   const F above = high - at;
   const F sign = mf_select(below < above, mf_splat(1.0f), mf_splat(-1.0f));
-  mf_add_hard(c, mf3_scale(axis, sign), mf_min(below, above), rate, most);
+  mf_add_clearance(c, mf3_scale(axis, sign), mf_min(below, above), mf_splat(rate), mf_splat(0.0f), most);
 }
 
 // The world's bounds and the nearest obstacle. An agent is let near them no faster than the field model's
@@ -80,27 +79,56 @@ MF_FN void mf_add_surroundings(MfPlanes* c, F3 r, const MfAvoidance* a, const Mf
   if (!mf_any(near_wall)) return;
   const MfSurface surface = mf_around_surface(r, &around, walls, &field->grid);
   const F clearance = mf_select(near_wall, surface.value - a->radius, mf_splat(1e9f));
-  mf_add_hard(c, mf3_unit(surface.gradient), clearance, rate, a->most_speed);
+  mf_add_clearance(c, mf3_unit(surface.gradient), clearance, mf_splat(rate), mf_splat(0.0f), a->most_speed);
+}
+
+typedef struct {
+  I there;
+  MfEncounter e;
+  F3 v;     // m/s, the other's
+  F share;  // of the way out that is the agent's own
+} MfNeighbour;
+
+// The k-th nearest of each of eight agents.
+MF_FN MfNeighbour mf_neighbour(int k, I slot, const MfBody* self, const MfMinded* all) {
+  const I other = mf_igather(all->nearest, slot * all->stride + k);
+  MfNeighbour n;
+  n.there = other >= mf_isplat(0);
+  const I from = mf_iselect(n.there, other, slot);
+  const MfBody b = mf_body(all, from);
+  n.e.line = mf3_sub(b.r, self->r);
+  n.e.approach = mf3_sub(self->v, b.v);
+  n.e.radius = self->radius + b.radius;
+  n.e.parting = mf_parting(mf_igather(all->id, slot), mf_igather(all->id, from));
+  n.v = b.v;
+  n.share = 1.0f - 0.5f * b.avoids;
+  return n;
+}
+
+// Each of two takes no more than half of the gap between them before the next tick, whatever the other does:
+// both may always stand still. From one that does not avoid an agent keeps the whole gap, as it moves.
+MF_FN void mf_add_gaps(MfPlanes* c, I slot, const MfBody* self, const MfMinded* all, const MfAvoidance* a,
+                       float period) {
+  for (int k = 0; k < a->neighbours; ++k) {
+    const MfNeighbour b = mf_neighbour(k, slot, self, all);
+    if (!mf_any(b.there)) break;
+    const F distance = mf3_length(b.e.line);
+    const I same_place = distance < mf_splat(1e-9f);
+    const F3 away = mf3_select(same_place, b.e.parting, mf3_unit(mf3_scale(b.e.line, mf_splat(-1.0f))));
+    const F gap = mf_select(b.there, distance - b.e.radius, mf_splat(1e9f));
+    const F drift = mf_select(b.share > mf_splat(0.75f), mf3_dot(b.v, away), mf_splat(0.0f));
+    mf_add_clearance(c, away, gap, b.share * (1.0f / period), drift, a->most_speed);
+  }
 }
 
 // One half-space a neighbour, nearest first.
 MF_FN void mf_add_neighbours(MfPlanes* c, I slot, const MfBody* self, const MfMinded* all,
                              const MfAvoidance* a, float period) {
-  const I id = mf_igather(all->id, slot);
   for (int k = 0; k < a->neighbours; ++k) {
-    const I other = mf_igather(all->nearest, slot * all->stride + k);
-    const I there = other >= mf_isplat(0);
-    if (!mf_any(there)) break;
-    const I from = mf_iselect(there, other, slot);
-    const MfBody b = mf_body(all, from);
-    MfEncounter e;
-    e.line = mf3_sub(b.r, self->r);
-    e.approach = mf3_sub(self->v, b.v);
-    e.radius = self->radius + b.radius;
-    e.parting = mf_parting(id, mf_igather(all->id, from));
-    const F share = 1.0f - 0.5f * b.avoids;
-    const MfPlane p = mf_orca_plane(self->v, &e, share, mf_splat(a->horizon), period);
-    c->plane[c->count++] = mf_plane_select(there, p, mf_no_plane());
+    const MfNeighbour b = mf_neighbour(k, slot, self, all);
+    if (!mf_any(b.there)) break;
+    const MfPlane p = mf_orca_plane(self->v, &b.e, b.share, mf_splat(a->horizon), period);
+    c->plane[c->count++] = mf_plane_select(b.there, p, mf_no_plane());
   }
 }
 
@@ -135,9 +163,11 @@ MF_FN MfAvoided mf_avoid(I slot, F3 wish, const MfMinded* all, const MfAvoidance
                          const MF_GLOBAL float* walls, float period) {
   const MfBody self = mf_body(all, slot);
   MfPlanes planes;
-  planes.hard = 0;
   planes.count = 0;
   mf_add_surroundings(&planes, self.r, a, field, walls);
+  planes.firm = planes.count;
+  if (a->strict) mf_add_gaps(&planes, slot, &self, all, a, period);
+  planes.hard = planes.count;
   mf_add_neighbours(&planes, slot, &self, all, a, period);
   const F slack = mf_splat(1e-5f * a->most_speed);
   const MfGoal goal = {mf_lean(wish, mf_igather(all->id, slot), &planes, slack), 0, mf_splat(a->most_speed),

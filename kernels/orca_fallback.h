@@ -1,4 +1,5 @@
-// Where no velocity keeps all half-spaces: the one that breaks the worst of them least. Hard ones are kept.
+// Where no velocity keeps all half-spaces: the one that breaks the worst of them least. Hard ones are kept,
+// if they can be.
 #ifndef MAYFLY_KERNELS_ORCA_FALLBACK_H
 #define MAYFLY_KERNELS_ORCA_FALLBACK_H
 
@@ -28,14 +29,17 @@ MF_FN F3 mf_least_violation(const MfPlanes* c, F3 v, I fails, F most, F slack) {
   mf_unpack(fails, first);
   int begin = c->count;
   for (int k = 0; k < MF_LANES; ++k) begin = first[k] < begin ? first[k] : begin;
+  // Who cannot keep the hard ones keeps the firm ones at least.
+  const I keeps_hard = fails >= mf_isplat(c->hard);
   MfPlanes less;
-  less.hard = c->hard;
   for (int i = begin; i < c->count; ++i) {
     const MfPlane* p = &c->plane[i];
     const I worse = (fails <= mf_isplat(i)) & (p->d - mf3_dot(p->n, v) > worst + slack);
     if (!mf_any(worse)) continue;
     for (int j = 0; j < i; ++j) {
-      less.plane[j] = j < c->hard ? c->plane[j] : mf_no_worse(&c->plane[j], p);
+      const I kept = j < c->firm ? mf_isplat(-1) : keeps_hard & mf_isplat(j < c->hard ? -1 : 0);
+      less.plane[j] = c->plane[j];
+      if (!mf_all(kept)) less.plane[j] = mf_plane_select(kept, c->plane[j], mf_no_worse(&c->plane[j], p));
     }
     const MfGoal goal = {p->n, 1, most, slack};
     I stuck;

@@ -9,13 +9,14 @@
 
 MF_BEGIN
 
-#define MF_MAX_HARD 4  // three bounds and a wall
-#define MF_MAX_PLANES (MF_MAX_HARD + MF_MAX_NEIGHBOURS)
+// Three bounds and a wall; a gap and an obstacle a neighbour.
+#define MF_MAX_PLANES (4 + 2 * MF_MAX_NEIGHBOURS)
 
-// The first `hard` of them come before all others where not all can be kept.
+// In the order in which they come where not all can be kept: the first `firm` are the surroundings', those up
+// to `hard` the gaps'.
 typedef struct {
   MfPlane plane[MF_MAX_PLANES];
-  int hard, count;
+  int firm, hard, count;
 } MfPlanes;
 
 // What is looked for.

@@ -41,7 +41,7 @@ struct OpenField {
     swarms.push_back(swarm(0, from.size()));
   }
 
-  static kernels::MfAvoidance avoidance() { return {1, 0.25F, 2.0F, 0.5F, 5.0F, 10, 1.5F}; }
+  static kernels::MfAvoidance avoidance() { return {1, 0.25F, 2.0F, 0.5F, 5.0F, 10, 1.5F, 0}; }
 
   SwarmModel swarm(std::size_t first, std::size_t count) const {
     SwarmModel model;

@@ -11,9 +11,8 @@ namespace {
 
 using test::OpenField;
 
-// Two bodies. They fly with a margin of a tenth of their radius, for where everybody meets some agents have
-// no way that keeps all of it.
-constexpr float kApart = 0.45F;
+constexpr float kRadius = 0.25F;  // m
+constexpr float kRounding = 1e-4F;
 
 std::vector<glm::vec3> circle(int agents, float radius) {
   std::vector<glm::vec3> places;
@@ -43,8 +42,9 @@ std::vector<glm::vec3> opposite(std::vector<glm::vec3> places) {
   return places;
 }
 
-void expect_swap(const std::vector<glm::vec3>& from, int ticks) {
+void expect_swap(const std::vector<glm::vec3>& from, int ticks, bool strict, float apart) {
   OpenField field(from, opposite(from));
+  field.swarms[0].avoidance.strict = strict ? 1 : 0;
   const auto engine = make_native_engine(1);
   ASSERT_TRUE(engine->prepare(field.swarms, from.size()));
   float least = field.least_distance();
@@ -52,25 +52,36 @@ void expect_swap(const std::vector<glm::vec3>& from, int ticks) {
     field.fly(*engine, 1);
     least = std::min(least, field.least_distance());
   }
-  EXPECT_GE(least, kApart);
+  EXPECT_GE(least, apart);
   EXPECT_LT(field.farthest_from_home(), 0.1F);
   testing::Test::RecordProperty("infeasible", static_cast<int>(field.infeasible));
 }
 
-TEST(Swap, AHundredOnACircle) {
-  expect_swap(circle(100, 20), 2000);
+// Where everybody meets, some have no way that keeps clear of all others.
+TEST(Swap, AHundredOnACircleDoNotTouch) {
+  expect_swap(circle(100, 20), 1500, true, 2 * kRadius - kRounding);
 }
-TEST(Swap, AHundredOnASphere) {
-  expect_swap(sphere(100, 8), 800);
+TEST(Swap, AHundredOnASphereDoNotTouch) {
+  expect_swap(sphere(100, 8), 1500, true, 2 * kRadius - kRounding);
 }
+
+// As published a jam costs a tenth of the distance, which a margin on the radius makes up for.
+TEST(Swap, AHundredOnACircleAsPublished) {
+  expect_swap(circle(100, 20), 1500, false, 1.8F * kRadius);
+}
+TEST(Swap, AHundredOnASphereAsPublished) {
+  expect_swap(sphere(100, 8), 1500, false, 1.8F * kRadius);
+}
+
 TEST(Swap, TwoHeadOnAndExactlySymmetric) {
-  expect_swap({{-4, 0, 0}, {4, 0, 0}}, 400);
+  expect_swap({{-4, 0, 0}, {4, 0, 0}}, 400, false, 2 * kRadius - kRounding);
+  expect_swap({{-4, 0, 0}, {4, 0, 0}}, 400, true, 2 * kRadius - kRounding);
 }
 TEST(Swap, TwoHeadOnOneAboveTheOther) {
-  expect_swap({{0, 0, -4}, {0, 0, 4}}, 400);
+  expect_swap({{0, 0, -4}, {0, 0, 4}}, 400, false, 2 * kRadius - kRounding);
 }
 TEST(Swap, FourAcrossEachOther) {
-  expect_swap(circle(4, 4), 400);
+  expect_swap(circle(4, 4), 400, false, 2 * kRadius - kRounding);
 }
 
 }  // namespace
