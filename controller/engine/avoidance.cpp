@@ -22,7 +22,6 @@ void Avoidance::prepare(std::span<const SwarmModel> swarms, std::size_t agents, 
       most_ = std::max(most_, swarm.avoidance.neighbours);
     }
   }
-  first_slot_.assign(swarms.size(), 0);
   slots_in_.assign(swarms.size(), 0);
   if (!on()) {
     return;
@@ -33,7 +32,6 @@ void Avoidance::prepare(std::span<const SwarmModel> swarms, std::size_t agents, 
   for (std::size_t s = 0; s < swarms.size(); ++s) {
     std::fill_n(swarm_of_.begin() + static_cast<std::ptrdiff_t>(swarms[s].first), swarms[s].count,
                 static_cast<std::uint16_t>(s));
-    first_slot_[s] = swarms[s].first;
   }
   body_.assign(4 * padded, 0.0F);
   motion_.assign(4 * padded, 0.0F);
@@ -93,7 +91,7 @@ void Avoidance::take_slots() noexcept {
   for (std::size_t slot = 0; slot < grid_.size(); ++slot) {
     const std::size_t s = swarm_of_[static_cast<std::size_t>(grid_.id()[slot])];
     if (swarms_[s].avoidance.on != 0) {
-      slots_[first_slot_[s] + slots_in_[s]++] = static_cast<int>(slot);
+      slots_[first_slot(s) + slots_in_[s]++] = static_cast<int>(slot);
     }
   }
 }

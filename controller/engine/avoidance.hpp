@@ -37,8 +37,10 @@ class Avoidance {
   // A swarm's part of slots(), readable eight elements past its last; empty where it does not avoid
   // collisions.
   std::span<const int> slots_of(std::size_t swarm) const {
-    return std::span(slots_).subspan(first_slot_[swarm], slots_in_[swarm]);
+    return std::span(slots_).subspan(first_slot(swarm), slots_in_[swarm]);
   }
+  std::size_t first_slot(std::size_t swarm) const { return swarms_[swarm].first; }
+  std::size_t swarms() const { return swarms_.size(); }
 
  private:
   void sort(const AgentColumns& at, ThreadTeam& team) noexcept;
@@ -55,7 +57,7 @@ class Avoidance {
   std::vector<float> body_, motion_;     // four a sorted agent
   std::vector<int> nearest_;             // kMostNearest a sorted agent
   std::vector<int> slots_;               // sorted numbers, swarm by swarm
-  std::vector<std::size_t> first_slot_, slots_in_;
+  std::vector<std::size_t> slots_in_;    // one a swarm
 };
 
 }  // namespace mayfly

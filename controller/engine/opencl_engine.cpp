@@ -10,6 +10,7 @@
 #include "controller/engine/engine.hpp"
 #include "controller/engine/minimum_distance.hpp"
 #include "controller/engine/moment.hpp"
+#include "controller/engine/opencl_avoidance.hpp"
 #include "controller/engine/permutation.hpp"
 
 namespace mayfly {
@@ -156,9 +157,10 @@ Result<Flying> make_flying(const Device& device, std::span<const SwarmModel> swa
 
 class OpenclEngine final : public Engine, private FirstSweep {
  public:
-  OpenclEngine(Device device, Kernel velocity, Kernel displacement)
+  OpenclEngine(Device device, Kernel velocity, OpenclAvoidance avoidance, Kernel displacement)
       : device_(std::move(device)),
         velocity_(std::move(velocity)),
+        avoidance_(std::move(avoidance)),
         displacement_(std::move(displacement)),
         team_(static_cast<int>(std::thread::hardware_concurrency())) {}
 
@@ -173,8 +175,9 @@ class OpenclEngine final : public Engine, private FirstSweep {
     }
     flying_.emplace(std::move(*flying));
     upload_fault_ = {};
+    seen_.prepare(swarms_, agents, team_.size());
     minimum_distance_.prepare(swarms_, agents);
-    return {};
+    return seen_.on() ? avoidance_.prepare(device_, agents) : Result<void>{};
   }
 
   void replace_fields(std::size_t swarm, const SwarmFields& fields) noexcept override {
@@ -203,6 +206,12 @@ class OpenclEngine final : public Engine, private FirstSweep {
         fault_ = compute::name_of(status);
       }
     }
+    std::size_t infeasible = 0;
+    if (fault_.empty() && seen_.on()) {
+      if (const Status status = avoid(at, tick.period_s, out, infeasible); !status.ok()) {
+        fault_ = compute::name_of(status);
+      }
+    }
     const std::size_t moved =
         fault_.empty() ? minimum_distance_.enforce({at.x, at.y, at.z}, tick.period_s, out, *this, team_) : 0;
     if (!fault_.empty()) {
@@ -210,7 +219,7 @@ class OpenclEngine final : public Engine, private FirstSweep {
         std::fill(column.begin(), column.end(), 0.0F);
       }
     }
-    return {moved, 0};
+    return {moved, fault_.empty() ? infeasible : 0};
   }
 
  private:
@@ -245,6 +254,23 @@ class OpenclEngine final : public Engine, private FirstSweep {
     }
     const VelocityColumns ahead = minimum_distance_.ahead();
     return f.ahead.download(ahead.x, ahead.y, ahead.z);
+  }
+
+  Status avoid(const AgentColumns& at, float period_s, const VelocityColumns& out,
+               std::size_t& infeasible) noexcept {
+    seen_.look_round(at, team_);
+    if (const Status status = avoidance_.upload(seen_, out); !status.ok()) {
+      return status;
+    }
+    for (std::size_t s = 0; s < swarms_.size(); ++s) {
+      const Status status = avoidance_.start(seen_, s, swarms_[s], flying_->tables[s].walls, period_s);
+      if (!status.ok()) {
+        return status;
+      }
+    }
+    const Status status = avoidance_.download(seen_, out, infeasible);
+    minimum_distance_.look_ahead({at.x, at.y, at.z}, period_s, out, team_);
+    return status;
   }
 
   void first_sweep(const CellOrder& order, SearchReach reach, Displacements& out) noexcept override {
@@ -300,10 +326,12 @@ class OpenclEngine final : public Engine, private FirstSweep {
 
   Device device_;
   Kernel velocity_;
+  OpenclAvoidance avoidance_;
   Kernel displacement_;
   ThreadTeam team_;
   std::vector<SwarmModel> swarms_;
   std::optional<Flying> flying_;
+  Avoidance seen_;
   MinimumDistance minimum_distance_;
   std::string_view fault_{};
   std::string_view upload_fault_{};
@@ -326,11 +354,16 @@ Result<std::unique_ptr<Engine>> make_opencl_engine() {
   if (!velocity) {
     return fail(std::move(velocity.error()));
   }
+  auto avoidance = OpenclAvoidance::create(*device);
+  if (!avoidance) {
+    return fail(std::move(avoidance.error()));
+  }
   auto displacement = build_kernel(*device, "mde", "displacement");
   if (!displacement) {
     return fail(std::move(displacement.error()));
   }
-  return std::make_unique<OpenclEngine>(std::move(*device), std::move(*velocity), std::move(*displacement));
+  return std::make_unique<OpenclEngine>(std::move(*device), std::move(*velocity), std::move(*avoidance),
+                                        std::move(*displacement));
 }
 
 }  // namespace mayfly
