@@ -11,6 +11,8 @@ MF_BEGIN
 // or two.
 #define MF_STREAM_NOISE 0u
 #define MF_STREAM_PULL 16u
+#define MF_STREAM_ENCOUNTER 32u
+#define MF_STREAM_BROWNIAN 40u
 
 // A word for each agent. Two mixings, each with a key of its own: agents, ticks and streams that are
 // neighbours have nothing in common.

@@ -19,7 +19,7 @@ __kernel void field_velocity(__global const float* x, __global const float* y, _
   const MfTables tables = {walls, guide, rest_x, rest_y, rest_z, permutation};
   const I id = mf_swarm_agents(order + slot, lanes);
   const F3 r = mf3(mf_gather(x, id), mf_gather(y, id), mf_gather(z, id));
-  const F3 v = mf_field_velocity(r, id, id - first, &field, &moment, &tables);
+  const F3 v = mf_of_present(r, mf_field_velocity(r, id, id - first, &field, &moment, &tables));
   mf_scatter(vx, id, v.x, lanes);
   mf_scatter(vy, id, v.y, lanes);
   mf_scatter(vz, id, v.z, lanes);

@@ -197,6 +197,12 @@ MF_FN F3 mf_going(F3 v, I lost) {
   return mf3_select(lost, mf3_splat(0.0f, 0.0f, 0.0f), v);
 }
 
+// Agents whose place is no number are not there, and get no velocity.
+MF_FN F3 mf_of_present(F3 r, F3 v) {
+  const I here = (r.x == r.x) & (r.y == r.y) & (r.z == r.z);
+  return mf3_select(here, v, mf3_splat(0.0f, 0.0f, 0.0f));
+}
+
 // The preferred velocity of eight agents at r (m), whose numbers in the whole flight are `id` and in their
 // swarm `agent`.
 MF_FN F3 mf_field_velocity(F3 r, I id, I agent, const MfField* field, const MfMoment* moment,

@@ -102,6 +102,15 @@ MF_FN void mf_scatter(MF_GLOBAL float* p, I i, F a, int n) {
 MF_FN void mf_unpack(I a, int out[MF_LANES]) {
   vstore8(a, 0, out);
 }
+MF_FN void mf_iscatter(MF_GLOBAL int* p, I i, I a, int n) {
+  const int at[MF_LANES] = {i.s0, i.s1, i.s2, i.s3, i.s4, i.s5, i.s6, i.s7};
+  const int v[MF_LANES] = {a.s0, a.s1, a.s2, a.s3, a.s4, a.s5, a.s6, a.s7};
+  for (int k = 0; k < n; ++k) p[at[k]] = v[k];
+}
+MF_FN float mf_lane(F a, int k) {
+  const float v[MF_LANES] = {a.s0, a.s1, a.s2, a.s3, a.s4, a.s5, a.s6, a.s7};
+  return v[k];
+}
 typedef long Long;  // 64 bits in both languages
 // Sum of the lanes in units of 2^-32: whole numbers, so that it does not depend on any order.
 MF_FN Long mf_sum_fixed(F a) {
@@ -232,6 +241,12 @@ MF_FN void mf_gather4(const float* p, I i, F out[4]) {
 MF_FN void mf_scatter(float* p, I i, F a, int n) {
   for (int k = 0; k < n; ++k) p[i[k]] = a[k];
 }
+MF_FN void mf_iscatter(int* p, I i, I a, int n) {
+  for (int k = 0; k < n; ++k) p[i[k]] = a[k];
+}
+MF_FN float mf_lane(F a, int k) {
+  return a[k];
+}
 MF_FN void mf_unpack(I a, int out[MF_LANES]) {
   std::memcpy(out, &a, sizeof a);
 }
@@ -273,6 +288,17 @@ MF_FN I mf_imin(I a, I b) {
 }
 MF_FN I mf_imax(I a, I b) {
   return mf_iselect(a > b, a, b);
+}
+// The least and the greatest of the lanes.
+MF_FN float mf_least(F a) {
+  float least = mf_lane(a, 0);
+  for (int k = 1; k < MF_LANES; ++k) least = mf_lane(a, k) < least ? mf_lane(a, k) : least;
+  return least;
+}
+MF_FN float mf_greatest(F a) {
+  float greatest = mf_lane(a, 0);
+  for (int k = 1; k < MF_LANES; ++k) greatest = mf_lane(a, k) > greatest ? mf_lane(a, k) : greatest;
+  return greatest;
 }
 MF_FN F mf_clamp(F a, float low, float high) {
   return mf_min(mf_max(a, mf_splat(low)), mf_splat(high));

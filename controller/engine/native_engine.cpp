@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "controller/engine/engine.hpp"
+#include "controller/engine/force_stage.hpp"
 #include "controller/engine/minimum_distance.hpp"
 #include "controller/engine/moment.hpp"
 #include "controller/engine/native_avoidance.hpp"
@@ -28,6 +29,7 @@ class NativeEngine final : public Engine, private FirstSweep {
     agents_ = agents;
     avoidance_.prepare(swarms_, agents, team_.size());
     minimum_distance_.prepare(swarms_, agents);
+    forces_.prepare(swarms_);
     return {};
   }
 
@@ -41,7 +43,11 @@ class NativeEngine final : public Engine, private FirstSweep {
 
   TickCounts compute(const AgentColumns& at, const TickTime& tick,
                      const VelocityColumns& out) noexcept override {
+    forces_.compute(swarms_, at, tick, out, team_);
     for (const SwarmModel& swarm : swarms_) {
+      if (swarm.motor != Motor::kField) {
+        continue;
+      }
       const kernels::MfMoment moment = moment_of(swarm.field.noise, tick.number, tick.time_s);
       team_.for_ranges(swarm.count, kGrain, [&](std::size_t first, std::size_t last) {
         for (std::size_t local = first; local < last; local += MF_LANES) {
@@ -50,15 +56,16 @@ class NativeEngine final : public Engine, private FirstSweep {
       });
     }
     const std::size_t infeasible = avoidance_.on() ? avoid(at, tick.period_s, out) : 0;
+    if (avoidance_.on() || forces_.on()) {
+      minimum_distance_.look_ahead({at.x, at.y, at.z}, tick.period_s, out, team_);
+    }
     return {minimum_distance_.enforce({at.x, at.y, at.z}, tick.period_s, out, *this, team_), infeasible};
   }
 
  private:
   std::size_t avoid(const AgentColumns& at, float period_s, const VelocityColumns& out) noexcept {
     avoidance_.look_round(at, team_);
-    const std::size_t infeasible = avoid_collisions(avoidance_, swarms_, period_s, out, team_);
-    minimum_distance_.look_ahead({at.x, at.y, at.z}, period_s, out, team_);
-    return infeasible;
+    return avoid_collisions(avoidance_, swarms_, period_s, out, team_);
   }
 
   void eight_agents(const SwarmModel& swarm, const kernels::MfMoment& moment, const AgentColumns& at,
@@ -71,8 +78,9 @@ class NativeEngine final : public Engine, private FirstSweep {
     const kernels::I id = kernels::mf_swarm_agents(&minimum_distance_.order()[slot], lanes);
     const F3 r = kernels::mf3(kernels::mf_gather(at.x.data(), id), kernels::mf_gather(at.y.data(), id),
                               kernels::mf_gather(at.z.data(), id));
-    const F3 v =
+    const F3 led =
         kernels::mf_field_velocity(r, id, id - static_cast<int>(swarm.first), &swarm.field, &moment, &tables);
+    const F3 v = kernels::mf_of_present(r, led);
     kernels::mf_scatter(out.x.data(), id, v.x, lanes);
     kernels::mf_scatter(out.y.data(), id, v.y, lanes);
     kernels::mf_scatter(out.z.data(), id, v.z, lanes);
@@ -112,6 +120,7 @@ class NativeEngine final : public Engine, private FirstSweep {
   std::size_t agents_ = 0;
   Avoidance avoidance_;
   MinimumDistance minimum_distance_;
+  ForceStage forces_;
 };
 
 }  // namespace
