@@ -1,6 +1,9 @@
 #include "controller/flight/world.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 #include "controller/flight/kernel_parts.hpp"
@@ -131,12 +134,27 @@ class Builder {
       const fields::PlacedShape shape{goal.shape, goal.place};
       auto region = fields::Geometry::make({&shape, 1}, scenario_.world.cell);
       if (region) {
+        check_path(goal, *region);
         goals.push_back(std::move(*region));
       } else {
         errors_.push_back(std::move(region.error()));
       }
     }
     return goals;
+  }
+
+  // The loader has looked at boxes and spheres; how far a mesh reaches is known only now.
+  void check_path(const GoalSpec& goal, const fields::Geometry& region) {
+    const std::optional<Box> shape = region.bounds();
+    if (!goal.path || !shape) {
+      return;
+    }
+    if (const auto outside = goal.path->first_point_outside(*shape, scenario_.world.bounds)) {
+      errors_.push_back({.message = fmt::format("goal '{}' leaves world.bounds on its path", goal.name),
+                         .place = goal.path->place,
+                         .found = fmt::format("at its point number {}", *outside + 1),
+                         .wanted = "points at which the whole goal lies inside"});
+    }
   }
 
   Result<fields::DistanceField> make_distance(const fields::Geometry& solid, const Grid& grid) {

@@ -97,15 +97,14 @@ void add_world_rows(Rows& rows) {
                   .max = 1000.0,
                   .fallback = "1.0",
                   .text = "The side of one cell of the grid that distance and cost are kept on."});
-  rows.push_back({.path = "world.coarse_cell",
-                  .type = KeyType::kNumber,
-                  .unit = "m",
-                  .min = 0.001,
-                  .max = 1000.0,
-                  .fallback_text = "one grid, all of `cell`",
-                  .text =
-                      "For large worlds, cells of this side away from obstacles and goals; a whole multiple "
-                      "of `cell`."});
+  rows.push_back(
+      {.path = "world.coarse_cell",
+       .type = KeyType::kNumber,
+       .unit = "m",
+       .min = 0.001,
+       .max = 1000.0,
+       .fallback_text = "one grid, all of `cell`",
+       .text = "For large worlds, cells of this side away from obstacles and goals: eight of `cell`."});
   rows.push_back({.path = "world.obstacles",
                   .type = KeyType::kList,
                   .max = 10'000,
