@@ -89,9 +89,9 @@ MF_FN MfRows mf_rows(const MfBox* box, int y, int z, float reach, const MfCubes*
   const F gap_z = mf_cube_gap(mf_isplat(z), box->low_z, box->high_z, c->cells_z);
   const F left = reach * reach * 1.0001f - (gap_y * gap_y + gap_z * gap_z);
   const I beyond = left < mf_splat(0.0f);
-  const F half = mf_sqrt(mf_max(left, mf_splat(0.0f))) + MF_CELL_MARGIN;
-  const I first = mf_cube_along(mf_clamp(box->low_x - half, -1e6f, 1e6f), c->cells_x);
-  const I last = mf_cube_along(mf_clamp(box->high_x + half, -1e6f, 1e6f), c->cells_x);
+  const F along = mf_sqrt(mf_max(left, mf_splat(0.0f))) + MF_CELL_MARGIN;
+  const I first = mf_cube_along(mf_clamp(box->low_x - along, -1e6f, 1e6f), c->cells_x);
+  const I last = mf_cube_along(mf_clamp(box->high_x + along, -1e6f, 1e6f), c->cells_x);
   MfRows rows;
   mf_unpack(first, rows.first);
   mf_unpack(mf_iselect(beyond, first, last + 1), rows.past);
