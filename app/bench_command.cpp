@@ -11,6 +11,7 @@
 #include "app/log.hpp"
 #include "app/progress_line.hpp"
 #include "bench/fields/measure.hpp"
+#include "bench/forces/measure.hpp"
 #include "bench/noise/report.hpp"
 #include "controller/scenario/suggest.hpp"
 #include "record/output_file.hpp"
@@ -46,6 +47,18 @@ BenchResult bench_noise(const BenchOptions& options, const Progress& progress) {
   return findings;
 }
 
+BenchResult findings_of(const mayfly::bench::Report& report, const BenchOptions& options) {
+  Findings findings{options.json ? to_json(report) : to_text(report), {}};
+  if (!options.figure.empty()) {
+    auto drawn = draw_figure(report);
+    if (!drawn) {
+      return tl::unexpected(std::vector{std::move(drawn.error())});
+    }
+    findings.figure = std::move(*drawn);
+  }
+  return findings;
+}
+
 BenchResult bench_fields(const BenchOptions& options, const Progress& progress) {
   mayfly::bench::FieldsPlan plan;
   plan.most_agents = options.agents > 0 ? options.agents : plan.most_agents;
@@ -59,15 +72,19 @@ BenchResult bench_fields(const BenchOptions& options, const Progress& progress) 
   if (!report) {
     return tl::unexpected(report.error());
   }
-  Findings findings{options.json ? to_json(*report) : to_text(*report), {}};
-  if (!options.figure.empty()) {
-    auto drawn = draw_figure(*report);
-    if (!drawn) {
-      return tl::unexpected(std::vector{std::move(drawn.error())});
-    }
-    findings.figure = std::move(*drawn);
+  return findings_of(*report, options);
+}
+
+BenchResult bench_forces(const BenchOptions& options, const Progress& progress) {
+  mayfly::bench::ForcesPlan plan;
+  plan.most_agents = options.agents > 0 ? options.agents : plan.most_agents;
+  plan.threads = options.threads > 0 ? options.threads : plan.threads;
+  plan.progress = progress;
+  const auto report = mayfly::bench::measure_forces(plan);
+  if (!report) {
+    return tl::unexpected(std::vector{report.error()});
   }
-  return findings;
+  return findings_of(*report, options);
 }
 
 struct Benchmark {
@@ -79,6 +96,7 @@ struct Benchmark {
 const std::array kBenchmarks{
     Benchmark{"fields", "The field core: engines, solvers, how time grows (Wang14, sections 5 to 7)",
               bench_fields},
+    Benchmark{"forces", "The force core: forces, collision avoidance, neighbours (BSwarm15)", bench_forces},
     Benchmark{"noise", "Perlin, random and curl noise in three models (Wang14, section 7.1)", bench_noise}};
 
 int list_benchmarks() {

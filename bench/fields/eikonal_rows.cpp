@@ -140,7 +140,7 @@ Row compare(int n, bool walls, int threads) {
 
 }  // namespace
 
-void measure_eikonal(const FieldsPlan& plan, FieldsReport& report) {
+void measure_eikonal(const FieldsPlan& plan, Report& report) {
   for (int n = 100; n <= plan.largest_grid; n += 100) {
     report.rows.push_back(compare(n, false, plan.threads));
     report.rows.push_back(compare(n, true, plan.threads));

@@ -3,8 +3,9 @@
 #include <chrono>
 #include <limits>
 
+#include "bench/common/ticks.hpp"
 #include "bench/fields/measure.hpp"
-#include "bench/fields/ticks.hpp"
+#include "bench/fields/village.hpp"
 #include "bench/fields/wang14_scalar.hpp"
 
 namespace mayfly::bench {
@@ -43,7 +44,7 @@ double scalar_seconds(const Village& village, int ticks, bool tabulated) {
 // One row for a native engine in a village; without `wanted` it informs.
 Result<Row> native_row(const FieldsPlan& plan, const Village& village, int threads) {
   const auto engine = make_native_engine(threads);
-  const auto ticks = time_ticks(*engine, village, plan.ticks);
+  const auto ticks = time_ticks(*engine, flock_of(village), plan.ticks);
   if (!ticks) {
     return fail(ticks.error());
   }
@@ -58,14 +59,14 @@ Result<Row> native_row(const FieldsPlan& plan, const Village& village, int threa
   return row;
 }
 
-void add_ns_per_agent(const Row& speed, std::size_t agents, FieldsReport& report) {
+void add_ns_per_agent(const Row& speed, std::size_t agents, Report& report) {
   report.rows.push_back({.key = speed.key + "_ns",
                          .what = "  of it an agent",
                          .value = 1e9 / speed.value / static_cast<double>(agents),
                          .unit = "ns"});
 }
 
-Result<void> compare_with_paper(const FieldsPlan& plan, const Village& village, FieldsReport& report) {
+Result<void> compare_with_paper(const FieldsPlan& plan, const Village& village, Report& report) {
   auto ours = native_row(plan, village, 1);
   if (!ours) {
     return fail(std::move(ours.error()));
@@ -84,12 +85,12 @@ Result<void> compare_with_paper(const FieldsPlan& plan, const Village& village, 
   return {};
 }
 
-Result<void> add_opencl(const FieldsPlan& plan, const Village& village, double native, FieldsReport& report) {
+Result<void> add_opencl(const FieldsPlan& plan, const Village& village, double native, Report& report) {
   auto engine = make_opencl_engine();
   if (!engine) {
     return {};  // a machine without OpenCL has one row less
   }
-  const auto ticks = time_ticks(**engine, village, plan.ticks);
+  const auto ticks = time_ticks(**engine, flock_of(village), plan.ticks);
   if (!ticks) {
     return fail(ticks.error());
   }
@@ -105,7 +106,7 @@ Result<void> add_opencl(const FieldsPlan& plan, const Village& village, double n
 }
 
 tl::expected<void, std::vector<Error>> measure_crowd(const FieldsPlan& plan, std::size_t agents,
-                                                     std::optional<double> wanted, FieldsReport& report) {
+                                                     std::optional<double> wanted, Report& report) {
   const auto village = make_village({.agents = agents, .everywhere = true, .threads = plan.threads});
   if (!village) {
     return tl::unexpected(village.error());
@@ -125,7 +126,7 @@ tl::expected<void, std::vector<Error>> measure_crowd(const FieldsPlan& plan, std
 
 }  // namespace
 
-tl::expected<void, std::vector<Error>> measure_engines(const FieldsPlan& plan, FieldsReport& report) {
+tl::expected<void, std::vector<Error>> measure_engines(const FieldsPlan& plan, Report& report) {
   const auto paper = make_village({.agents = std::min(kPaper, plan.most_agents), .threads = plan.threads});
   if (!paper) {
     return tl::unexpected(paper.error());

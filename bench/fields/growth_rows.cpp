@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bench/common/ticks.hpp"
 #include "bench/fields/measure.hpp"
-#include "bench/fields/ticks.hpp"
+#include "bench/fields/village.hpp"
 
 namespace mayfly::bench {
 namespace {
@@ -38,7 +39,7 @@ Result<std::vector<double>> time_villages(const FieldsPlan& plan, const Villages
   for (int round = 0; round < kRounds; ++round) {
     for (std::size_t v = 0; v < villages.size(); ++v) {
       const auto engine = make_native_engine(plan.threads);
-      const auto ticks = time_ticks(*engine, villages[v], plan.ticks);
+      const auto ticks = time_ticks(*engine, flock_of(villages[v]), plan.ticks);
       if (!ticks) {
         return fail(ticks.error());
       }
@@ -60,7 +61,7 @@ double spread(const std::vector<glm::dvec2>& line) {
   return most / least;
 }
 
-Outcome with_agents(const FieldsPlan& plan, FieldsReport& report) {
+Outcome with_agents(const FieldsPlan& plan, Report& report) {
   Curve curve{"agents", "Time against agents", "agents", "ns an agent and tick", {}};
   auto& line = curve.lines.emplace_back("native", std::vector<glm::dvec2>{}).second;
   for (std::size_t agents = 1024; agents <= plan.most_agents; agents *= 4) {
@@ -101,7 +102,7 @@ Curve preprocessing(const Growth& growth, const Villages& villages) {
           {{"distance", std::move(distance)}, {"cost", std::move(cost)}}};
 }
 
-Outcome with_worlds(const FieldsPlan& plan, Growth growth, FieldsReport& report) {
+Outcome with_worlds(const FieldsPlan& plan, Growth growth, Report& report) {
   Curve ticks{growth.key, "Time against " + growth.title, growth.unit, "ns an agent and tick", {}};
   for (const std::size_t crowd : kCrowds) {
     const std::size_t agents = std::min(crowd, plan.most_agents);
@@ -136,7 +137,7 @@ Outcome with_worlds(const FieldsPlan& plan, Growth growth, FieldsReport& report)
 
 }  // namespace
 
-Outcome measure_growth(const FieldsPlan& plan, FieldsReport& report) {
+Outcome measure_growth(const FieldsPlan& plan, Report& report) {
   std::vector<VillagePlan> grids;
   for (const float cell : {2.0F, 1.4F, 1.0F, 0.7F}) {
     grids.push_back({.cell = cell});

@@ -15,9 +15,9 @@ tl::expected<void, std::vector<Error>> as_list(Result<void> result) {
 
 }  // namespace
 
-tl::expected<FieldsReport, std::vector<Error>> measure_fields(const FieldsPlan& plan) {
+tl::expected<Report, std::vector<Error>> measure_fields(const FieldsPlan& plan) {
   const auto start = std::chrono::steady_clock::now();
-  FieldsReport report;
+  Report report{.bench = "fields", .title = "The field core", .rows = {}, .curves = {}};
   const auto tell = [&](std::string_view stage, double fraction) {
     if (plan.progress) {
       plan.progress(stage, fraction);

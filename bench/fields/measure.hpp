@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "bench/fields/report.hpp"
+#include "bench/common/report.hpp"
 #include "core/progress.hpp"
 
 namespace mayfly::bench {
@@ -18,13 +18,13 @@ struct FieldsPlan {
   Progress progress{};
 };
 
-tl::expected<FieldsReport, std::vector<Error>> measure_fields(const FieldsPlan& plan);
+tl::expected<Report, std::vector<Error>> measure_fields(const FieldsPlan& plan);
 
 // Its parts; each appends to the report.
-Result<void> measure_noise(const FieldsPlan& plan, FieldsReport& report);
-void measure_eikonal(const FieldsPlan& plan, FieldsReport& report);
-Result<void> measure_solvers(const FieldsPlan& plan, FieldsReport& report);
-tl::expected<void, std::vector<Error>> measure_engines(const FieldsPlan& plan, FieldsReport& report);
-tl::expected<void, std::vector<Error>> measure_growth(const FieldsPlan& plan, FieldsReport& report);
+Result<void> measure_noise(const FieldsPlan& plan, Report& report);
+void measure_eikonal(const FieldsPlan& plan, Report& report);
+Result<void> measure_solvers(const FieldsPlan& plan, Report& report);
+tl::expected<void, std::vector<Error>> measure_engines(const FieldsPlan& plan, Report& report);
+tl::expected<void, std::vector<Error>> measure_growth(const FieldsPlan& plan, Report& report);
 
 }  // namespace mayfly::bench

@@ -100,7 +100,7 @@ Columns random_places() {
 
 }  // namespace
 
-Result<void> measure_noise(const FieldsPlan&, FieldsReport& report) {
+Result<void> measure_noise(const FieldsPlan&, Report& report) {
   const Columns at = random_places();
   Columns lanes;
   Columns scalar;

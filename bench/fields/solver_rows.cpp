@@ -8,6 +8,7 @@
 #include <numbers>
 #include <string>
 
+#include "bench/common/least_seconds.hpp"
 #include "bench/fields/measure.hpp"
 #include "bench/fields/village.hpp"
 #include "fields/cost_solver.hpp"
@@ -41,18 +42,7 @@ std::filesystem::path write_torus(int around, int across) {
   return file;
 }
 
-// s, the least of `repeats`.
-double least_seconds(int repeats, const auto& work) {
-  double best = std::numeric_limits<double>::infinity();
-  for (int n = 0; n < repeats; ++n) {
-    const auto start = std::chrono::steady_clock::now();
-    work(n);
-    best = std::min(best, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
-  }
-  return best;
-}
-
-Result<void> measure_distance(const FieldsPlan& plan, FieldsReport& report) {
+Result<void> measure_distance(const FieldsPlan& plan, Report& report) {
   const int across = std::max(8, static_cast<int>(std::lround(std::sqrt(plan.torus_triangles / 4.48))));
   const auto file = write_torus(plan.torus_triangles / (2 * across), across);
   const fields::PlacedShape torus{fields::MeshShape{file, glm::vec3(50.0F), {}, 1.0F, 80.0F, false, {}}, {}};
@@ -73,7 +63,7 @@ Result<void> measure_distance(const FieldsPlan& plan, FieldsReport& report) {
 }
 
 // A ball that moves between three obstacles, on the grid of the paper's chase.
-Result<void> measure_moved_goal(const FieldsPlan& plan, FieldsReport& report) {
+Result<void> measure_moved_goal(const FieldsPlan& plan, Report& report) {
   const Grid grid{glm::vec3(0.0F), 1.0F, {80, 120, 40}};
   const std::vector<fields::PlacedShape> solids{{fields::BoxShape{{{10, 30, 0}, {35, 50, 30}}}, {}},
                                                 {fields::BoxShape{{{45, 30, 0}, {70, 50, 30}}}, {}},
@@ -99,7 +89,7 @@ Result<void> measure_moved_goal(const FieldsPlan& plan, FieldsReport& report) {
   return {};
 }
 
-Result<void> measure_preprocessing(const FieldsPlan& plan, FieldsReport& report) {
+Result<void> measure_preprocessing(const FieldsPlan& plan, Report& report) {
   const auto village = make_village({.agents = 1, .threads = plan.threads});
   if (!village) {
     return fail(village.error().front());
@@ -117,7 +107,7 @@ Result<void> measure_preprocessing(const FieldsPlan& plan, FieldsReport& report)
 
 }  // namespace
 
-Result<void> measure_solvers(const FieldsPlan& plan, FieldsReport& report) {
+Result<void> measure_solvers(const FieldsPlan& plan, Report& report) {
   measure_eikonal(plan, report);
   return measure_distance(plan, report)
       .and_then([&] { return measure_preprocessing(plan, report); })

@@ -123,4 +123,10 @@ tl::expected<Village, std::vector<Error>> make_village(const VillagePlan& plan) 
   return Village{std::move(*scenario), std::move(*ready)};
 }
 
+Flock flock_of(const Village& village) {
+  return {.swarms = village.ready->models.swarms,
+          .places = village.ready->places,
+          .period_s = 1.0F / village.scenario.control.rate};
+}
+
 }  // namespace mayfly::bench

@@ -6,6 +6,7 @@
 #include <memory>
 #include <vector>
 
+#include "bench/common/ticks.hpp"
 #include "controller/flight/prepare.hpp"
 
 namespace mayfly::bench {
@@ -25,5 +26,8 @@ struct Village {
 };
 
 tl::expected<Village, std::vector<Error>> make_village(const VillagePlan& plan);
+
+// Points into the village.
+Flock flock_of(const Village& village);
 
 }  // namespace mayfly::bench

@@ -1,4 +1,4 @@
-#include "bench/fields/report.hpp"
+#include "bench/common/report.hpp"
 
 #include <fmt/format.h>
 
@@ -54,10 +54,10 @@ Json curve_json(const Curve& curve) {
 
 }  // namespace
 
-std::string to_text(const FieldsReport& report) {
+std::string to_text(const Report& report) {
   std::string text;
   const auto out = std::back_inserter(text);
-  fmt::format_to(out, "The field core, {:.0f} s\n\n{:<8} {:<58} {:>10} {:<8} {:<9} {}\n", report.took_s, "",
+  fmt::format_to(out, "{}, {:.0f} s\n\n{:<8} {:<58} {:>10} {:<8} {:<9} {}\n", report.title, report.took_s, "",
                  "", "measured", "", "wanted", "times better than");
   for (const Row& row : report.rows) {
     fmt::format_to(out, "{:<8} {:<58} {:>10.4g} {:<8} {:<9} {}\n",
@@ -79,9 +79,9 @@ std::string to_text(const FieldsReport& report) {
   return text;
 }
 
-std::string to_json(const FieldsReport& report) {
+std::string to_json(const Report& report) {
   Json json{
-      {"bench", "fields"}, {"took_s", report.took_s}, {"rows", Json::array()}, {"curves", Json::array()}};
+      {"bench", report.bench}, {"took_s", report.took_s}, {"rows", Json::array()}, {"curves", Json::array()}};
   for (const Row& row : report.rows) {
     json["rows"].push_back(row_json(row));
   }
@@ -91,7 +91,7 @@ std::string to_json(const FieldsReport& report) {
   return json.dump(2) + '\n';
 }
 
-Result<std::string> draw_figure(const FieldsReport& report) {
+Result<std::string> draw_figure(const Report& report) {
   constexpr double kWidth = 760.0;
   constexpr double kHeight = 520.0;
   constexpr std::size_t kColumns = 2;

@@ -1,4 +1,5 @@
-// What `mayfly bench fields` measured, for people, for programs and as a figure.
+// What a benchmark measured: rows beside their bounds and baselines, and curves; for people, for programs and
+// as a figure.
 #pragma once
 
 #include <glm/vec2.hpp>
@@ -30,21 +31,23 @@ struct Row {
   bool holds() const { return !wanted || (less_is_better ? value <= *wanted : value >= *wanted); }
 };
 
-// How a time grows with one quantity.
+// How one quantity grows with another.
 struct Curve {
   std::string key, title, x_name, y_name;
   std::vector<std::pair<std::string, std::vector<glm::dvec2>>> lines;  // by name
 };
 
-struct FieldsReport {
+struct Report {
+  std::string bench;  // its name
+  std::string title;  // for people
   std::vector<Row> rows;
   std::vector<Curve> curves;
   double took_s = 0.0;
 };
 
-std::string to_text(const FieldsReport& report);
-std::string to_json(const FieldsReport& report);
+std::string to_text(const Report& report);
+std::string to_json(const Report& report);
 // A PNG with every curve.
-Result<std::string> draw_figure(const FieldsReport& report);
+Result<std::string> draw_figure(const Report& report);
 
 }  // namespace mayfly::bench
