@@ -6,7 +6,7 @@
 #include <limits>
 #include <utility>
 
-#include "controller/engine/lane_pick.hpp"
+#include "controller/engine/near_scan.hpp"
 
 namespace mayfly {
 namespace {
@@ -18,7 +18,8 @@ using kernels::I;
 // how far it is worth looking.
 class Found {
  public:
-  Found(const NearGrid& grid, std::size_t slot, int most) : grid_(grid), slot_(slot), most_(most) {}
+  Found(const NearGrid& grid, std::size_t slot, int most)
+      : grid_(grid), from_(grid, slot), slot_(slot), most_(most) {}
 
   int count() const { return count_; }
 
@@ -46,26 +47,17 @@ class Found {
   static constexpr int kPadded = kRoom + MF_LANES;
 
   void add(int first, int past) {
-    const F x = kernels::mf_splat(grid_.x()[slot_]);
-    const F y = kernels::mf_splat(grid_.y()[slot_]);
-    const F z = kernels::mf_splat(grid_.z()[slot_]);
-    const I self = kernels::mf_isplat(static_cast<int>(slot_));
-    for (int a = first; a < past; a += MF_LANES) {
-      const F dx = kernels::mf_load(&grid_.x()[static_cast<std::size_t>(a)]) - x;
-      const F dy = kernels::mf_load(&grid_.y()[static_cast<std::size_t>(a)]) - y;
-      const F dz = kernels::mf_load(&grid_.z()[static_cast<std::size_t>(a)]) - z;
-      const F distance2 = dx * dx + dy * dy + dz * dz;
-      const I slots = kernels::mf_lane_index() + a;
-      const unsigned picked = mask_bits((distance2 <= kernels::mf_splat(farthest2_)) &
-                                        (slots < kernels::mf_isplat(past)) & (slots != self));
-      store_picked(&distance2_[static_cast<std::size_t>(count_)], distance2, picked);
-      store_picked(&slots_[static_cast<std::size_t>(count_)], slots, picked);
-      count_ += std::popcount(picked);
-      if (count_ > kRoom - MF_LANES) {
-        sort();
-        farthest2_ = distance2_[static_cast<std::size_t>(count_ - 1)];
-      }
-    }
+    scan_row(grid_, from_, kernels::mf_splat(farthest2_), first, past,
+             [this](std::size_t eight, unsigned picked, F distance2) {
+               const auto end = static_cast<std::size_t>(count_);
+               store_picked(&distance2_[end], distance2, picked);
+               store_picked(&slots_[end], kernels::mf_lane_index() + static_cast<int>(eight), picked);
+               count_ += std::popcount(picked);
+               if (count_ > kRoom - MF_LANES) {
+                 sort();
+                 farthest2_ = distance2_[static_cast<std::size_t>(count_ - 1)];
+               }
+             });
   }
 
   // How many are nearer than each. False if any two are equally near.
@@ -116,6 +108,7 @@ class Found {
   }
 
   const NearGrid& grid_;
+  Searcher from_;
   std::size_t slot_;
   int most_;
   int count_ = 0;
