@@ -2,8 +2,9 @@
 #include "kernels/orca.h"
 
 // Slots first … first + count − 1 of `slots`, which names the swarm's agents by their sorted numbers; it is
-// readable eight elements past its end. vx, vy, vz (m/s, in the agents' order) are what the agents prefer, and
-// become what keeps them clear of others. infeasible: 1 for each slot whose agent nothing keeps clear, else 0.
+// readable eight elements past its end. vx, vy, vz (m/s, in the agents' order) are what the agents prefer,
+// and become what keeps them clear of others. infeasible: 1 for each slot whose agent nothing keeps clear,
+// else 0.
 __kernel void avoid(__global const float* body, __global const float* motion, __global const int* id,
                     __global const int* nearest, const int stride, __global const int* slots, const int first,
                     const int count, __global float* vx, __global float* vy, __global float* vz,

@@ -13,7 +13,8 @@ struct Part {
   Result<void> (*measure)(const ForcesPlan&, Report&);
 };
 
-constexpr std::array kParts{Part{"forces", measure_force_rows}, Part{"neighbours", measure_neighbour_rows}};
+constexpr std::array kParts{Part{"forces", measure_force_rows}, Part{"avoidance", measure_avoidance_rows},
+                            Part{"neighbours", measure_neighbour_rows}};
 
 }  // namespace
 

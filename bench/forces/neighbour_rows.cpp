@@ -1,5 +1,6 @@
 // Who is within a radius: exact lists of all points, the search structure's building included, beside
 // nanoflann.
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -15,6 +16,7 @@
 #include "bench/common/least_seconds.hpp"
 #include "bench/forces/crowd.hpp"
 #include "bench/forces/measure.hpp"
+#include "controller/engine/neighbour_lists.hpp"
 
 namespace mayfly::bench {
 namespace {
@@ -68,6 +70,21 @@ double nanoflann_seconds(const std::vector<glm::vec3>& points, int threads) {
   });
 }
 
+// s for the same lists by the product's own search.
+double own_seconds(const std::vector<glm::vec3>& points, int threads) {
+  std::array<std::vector<float>, 3> columns;
+  for (const glm::vec3 point : points) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      columns[axis].push_back(point[static_cast<int>(axis)]);
+    }
+  }
+  ThreadTeam team(threads);
+  NeighbourLists lists;
+  return least_seconds(4 * kRepeats, [&](int) {
+    lists.find({columns[0], columns[1], columns[2]}, kRadius, team);
+  });
+}
+
 std::vector<glm::vec3> points_of(std::size_t count) {
   const double ball = 4.0 / 3.0 * std::numbers::pi * std::pow(static_cast<double>(kRadius), 3.0);
   return strewn_in_box(
@@ -78,17 +95,23 @@ std::vector<glm::vec3> points_of(std::size_t count) {
 
 Result<void> measure_neighbour_rows(const ForcesPlan& plan, Report& report) {
   Curve curve{"neighbours", "Neighbours in a radius, 29 each", "points", "ns a query", {}};
-  auto& peer = curve.lines.emplace_back("nanoflann", std::vector<glm::dvec2>{}).second;
+  std::vector<glm::dvec2> own, peer;
   const std::size_t most = plan.at_most(kPoints);
   for (const std::size_t count : {most / 100, most / 10, most}) {
     const std::vector<glm::vec3> points = points_of(count);
-    const double seconds = nanoflann_seconds(points, plan.threads);
-    peer.emplace_back(static_cast<double>(count), 1e9 * seconds / static_cast<double>(count));
+    const double each = 1e9 / static_cast<double>(std::max<std::size_t>(count, 1));
+    own.emplace_back(static_cast<double>(count), each * own_seconds(points, plan.threads));
+    peer.emplace_back(static_cast<double>(count), each * nanoflann_seconds(points, plan.threads));
   }
-  report.rows.push_back({.key = "neighbours_nanoflann",
-                         .what = "neighbours of " + std::to_string(most) + " points, nanoflann, a query",
-                         .value = peer.back().y,
-                         .unit = "ns"});
+  report.rows.push_back({.key = "neighbours",
+                         .what = "lists of all neighbours of " + std::to_string(most) + " points, a query",
+                         .value = own.back().y,
+                         .unit = "ns",
+                         .wanted = 250.0,
+                         .baseline = "nanoflann",
+                         .baseline_value = peer.back().y});
+  curve.lines.emplace_back("mayfly", std::move(own));
+  curve.lines.emplace_back("nanoflann", std::move(peer));
   report.curves.push_back(std::move(curve));
   return {};
 }

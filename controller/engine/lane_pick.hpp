@@ -46,7 +46,7 @@ inline constexpr auto kPickedLanes = picked_lanes();
 inline void store_picked(int* p, kernels::I a, unsigned bits) {
   const auto& lanes = detail::kPickedLanes[bits];
 #ifdef __AVX2__
-  typedef std::uint8_t Bytes __attribute__((vector_size(MF_LANES)));
+  using Bytes __attribute__((vector_size(MF_LANES))) = std::uint8_t;
   Bytes packed;
   std::memcpy(&packed, lanes.data(), sizeof packed);
   const kernels::I picked = __builtin_ia32_permvarsi256(a, __builtin_convertvector(packed, kernels::I));

@@ -56,7 +56,7 @@ class NearGrid {
     for (int k = z; k < past_z; ++k) {
       const int plane = (k & mask(2)) << bits_[1];
       for (int j = y; j < past_y; ++j) {
-        const int* start = &start_[static_cast<std::size_t>((plane | (j & mask(1))) << bits_[0])];
+        const int* start = start_.data() + ((plane | (j & mask(1))) << bits_[0]);
         row(start[x], start[std::min(past_x, cells_x)]);
         if (past_x > cells_x) {
           row(start[0], start[past_x - cells_x]);

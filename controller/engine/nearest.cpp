@@ -18,6 +18,7 @@ using kernels::I;
 // how far it is worth looking.
 class Found {
  public:
+  // NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init): what is found is written before it is read
   Found(const NearGrid& grid, std::size_t slot, int most)
       : grid_(grid), from_(grid, slot), slot_(slot), most_(most) {}
 
@@ -31,7 +32,7 @@ class Found {
 
   // Puts the nearest first, in order.
   void sort() {
-    std::array<int, kPadded> rank;
+    std::array<int, kPadded> rank{};
     if (rank_all(rank)) {
       place(rank);
     } else {
@@ -123,12 +124,11 @@ void find_nearest(const NearGrid& grid, std::size_t slot, const NearestQuery& qu
                   std::span<int, kMostNearest> out) noexcept {
   Found found(grid, slot, query.most);
   // In a crowd enough are found long before the range is searched.
-  for (float radius = std::min(query.range, grid.side()); query.most > 0;
-       radius = std::min(query.range, 2 * radius)) {
+  float radius = std::min(query.range, grid.side());
+  found.within(radius);
+  while (found.count() < query.most && radius < query.range) {
+    radius = std::min(query.range, 2 * radius);
     found.within(radius);
-    if (found.count() >= query.most || radius >= query.range) {
-      break;
-    }
   }
   found.sort();
   std::fill(out.begin(), out.end(), -1);

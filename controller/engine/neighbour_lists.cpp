@@ -1,6 +1,7 @@
 #include "controller/engine/neighbour_lists.hpp"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 
 #include "controller/engine/near_scan.hpp"
@@ -9,6 +10,19 @@ namespace mayfly {
 namespace {
 
 constexpr std::size_t kChunk = 256;
+
+// Those lanes that are picked; where there is room, eight are written at a time.
+int* append(int* to, const int* last, kernels::I ids, unsigned picked) noexcept {
+  const int found = std::popcount(picked);
+  if (last - to >= MF_LANES) {
+    store_picked(to, ids, picked);
+  } else {
+    std::array<int, MF_LANES> eight{};
+    store_picked(eight.data(), ids, picked);
+    std::copy_n(eight.begin(), found, to);
+  }
+  return to + found;
+}
 
 }  // namespace
 
@@ -54,28 +68,23 @@ void NeighbourLists::count(float radius, ThreadTeam& team) {
 }
 
 void NeighbourLists::fill(float radius, ThreadTeam& team) {
-  const kernels::F radius2 = kernels::mf_splat(radius * radius);
   team.for_ranges(grid_.size(), kChunk, [&](std::size_t begin, std::size_t end) {
-    // Eight are written at a time, past the end of a list into the next, but not into what others write.
+    // What comes after belongs to others, who may have written it already.
     const int* last = all_.data() + start_[end];
     for (std::size_t slot = begin; slot < end; ++slot) {
-      const Searcher from(grid_, slot);
-      int* to = all_.data() + start_[slot];
-      grid_.for_rows(slot, radius, [&](int first, int past) {
-        scan_row(grid_, from, radius2, first, past, [&](std::size_t eight, unsigned picked, kernels::F) {
-          const kernels::I ids = kernels::mf_iload(&grid_.id()[eight]);
-          const int found = std::popcount(picked);
-          if (last - to >= MF_LANES) {
-            store_picked(to, ids, picked);
-          } else {
-            int eight_ids[MF_LANES];
-            store_picked(eight_ids, ids, picked);
-            std::copy_n(eight_ids, found, to);
-          }
-          to += found;
-        });
-      });
+      fill_one(slot, radius, last);
     }
+  });
+}
+
+void NeighbourLists::fill_one(std::size_t slot, float radius, const int* last) noexcept {
+  const Searcher from(grid_, slot);
+  const kernels::F radius2 = kernels::mf_splat(radius * radius);
+  int* to = all_.data() + start_[slot];
+  grid_.for_rows(slot, radius, [&](int first, int past) {
+    scan_row(grid_, from, radius2, first, past, [&](std::size_t eight, unsigned picked, kernels::F) {
+      to = append(to, last, kernels::mf_iload(&grid_.id()[eight]), picked);
+    });
   });
 }
 

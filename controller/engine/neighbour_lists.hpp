@@ -27,6 +27,7 @@ class NeighbourLists {
  private:
   void count(float radius, ThreadTeam& team);
   void fill(float radius, ThreadTeam& team);
+  void fill_one(std::size_t slot, float radius, const int* last) noexcept;
 
   NearGrid grid_;
   std::size_t room_ = 0;  // points

@@ -55,6 +55,19 @@ Cloud cloud_of(int kind, std::size_t points) {
 
 class Search : public testing::TestWithParam<std::tuple<int, std::size_t>> {
  protected:
+  // Squared distance and number.
+  std::vector<std::pair<float, int>> nearest(std::size_t self, const NearestQuery& query) const {
+    std::vector<std::pair<float, int>> all;
+    for (std::size_t q = 0; q < cloud_.x.size(); ++q) {
+      if (q != self && cloud_.distance2(self, q) <= query.range * query.range) {
+        all.emplace_back(cloud_.distance2(self, q), static_cast<int>(q));
+      }
+    }
+    std::sort(all.begin(), all.end());
+    all.resize(std::min(all.size(), static_cast<std::size_t>(query.most)));
+    return all;
+  }
+
   Cloud cloud_ = cloud_of(std::get<0>(GetParam()), std::get<1>(GetParam()));
 };
 
@@ -93,14 +106,7 @@ TEST_P(Search, FindsTheNearest) {
     for (const NearestQuery query : {NearestQuery{1.0F, 10}, NearestQuery{0.5F, 1}, NearestQuery{6.0F, 16}}) {
       for (std::size_t slot = 0; slot < grid.size(); ++slot) {
         const auto self = static_cast<std::size_t>(grid.id()[slot]);
-        std::vector<std::pair<float, int>> expected;
-        for (std::size_t q = 0; q < points; ++q) {
-          if (q != self && cloud_.distance2(self, q) <= query.range * query.range) {
-            expected.emplace_back(cloud_.distance2(self, q), static_cast<int>(q));
-          }
-        }
-        std::sort(expected.begin(), expected.end());
-        expected.resize(std::min(expected.size(), static_cast<std::size_t>(query.most)));
+        const auto expected = nearest(self, query);
         std::array<int, kMostNearest> found{};
         find_nearest(grid, slot, query, found);
         for (std::size_t n = 0; n < found.size(); ++n) {
