@@ -4,7 +4,7 @@
 
 #include <array>
 #include <bit>
-#include <cstdint>
+#include <cstring>
 
 #include "kernels/lane.h"
 
@@ -26,19 +26,19 @@ inline unsigned mask_bits(kernels::I mask) {
 namespace detail {
 
 // For each mask, which lanes it holds, in order.
-constexpr std::array<std::array<std::uint8_t, MF_LANES>, 256> picked_lanes() {
-  std::array<std::array<std::uint8_t, MF_LANES>, 256> table{};
+constexpr std::array<std::array<int, MF_LANES>, 256> picked_lanes() {
+  std::array<std::array<int, MF_LANES>, 256> table{};
   for (unsigned bits = 0; bits < 256; ++bits) {
     std::size_t n = 0;
     for (unsigned lane = 0; lane < MF_LANES; ++lane) {
       if ((bits >> lane & 1U) != 0) {
-        table[bits][n++] = static_cast<std::uint8_t>(lane);
+        table[bits][n++] = static_cast<int>(lane);
       }
     }
   }
   return table;
 }
-inline constexpr auto kPickedLanes = picked_lanes();
+alignas(32) inline constexpr auto kPickedLanes = picked_lanes();
 
 }  // namespace detail
 
@@ -46,10 +46,7 @@ inline constexpr auto kPickedLanes = picked_lanes();
 inline void store_picked(int* p, kernels::I a, unsigned bits) {
   const auto& lanes = detail::kPickedLanes[bits];
 #ifdef __AVX2__
-  using Bytes __attribute__((vector_size(MF_LANES))) = std::uint8_t;
-  Bytes packed;
-  std::memcpy(&packed, lanes.data(), sizeof packed);
-  const kernels::I picked = __builtin_ia32_permvarsi256(a, __builtin_convertvector(packed, kernels::I));
+  const kernels::I picked = __builtin_ia32_permvarsi256(a, kernels::mf_iload(lanes.data()));
   std::memcpy(p, &picked, sizeof picked);
 #else
   for (std::size_t k = 0; k < MF_LANES; ++k) {

@@ -24,11 +24,14 @@ struct Searcher {
 template <class Hit>
 inline void scan_row(const NearGrid& grid, const Searcher& from, kernels::F radius2, int first, int past,
                      Hit&& hit) {
+  const float* x = grid.x().data();
+  const float* y = grid.y().data();
+  const float* z = grid.z().data();
   for (int eight = first; eight < past; eight += MF_LANES) {
     const auto a = static_cast<std::size_t>(eight);
-    const kernels::F dx = kernels::mf_load(&grid.x()[a]) - from.x;
-    const kernels::F dy = kernels::mf_load(&grid.y()[a]) - from.y;
-    const kernels::F dz = kernels::mf_load(&grid.z()[a]) - from.z;
+    const kernels::F dx = kernels::mf_load(x + a) - from.x;
+    const kernels::F dy = kernels::mf_load(y + a) - from.y;
+    const kernels::F dz = kernels::mf_load(z + a) - from.z;
     const kernels::F distance2 = dx * dx + dy * dy + dz * dz;
     const kernels::I slots = kernels::mf_lane_index() + eight;
     hit(a, mask_bits((distance2 <= radius2) & (slots < kernels::mf_isplat(past)) & (slots != from.self)),
