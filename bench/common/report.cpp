@@ -105,8 +105,8 @@ Result<std::string> draw_figure(const Report& report) {
     const Curve& curve = report.curves[c];
     const std::size_t line = c / kColumns;
     record::Chart chart{.title = curve.title,
-                        .x = {.name = curve.x_name, .logarithmic = true},
-                        .y = {.name = curve.y_name, .logarithmic = true}};
+                        .x = {.name = curve.x_name, .logarithmic = curve.logarithmic},
+                        .y = {.name = curve.y_name, .logarithmic = curve.logarithmic}};
     for (std::size_t n = 0; n < curve.lines.size(); ++n) {
       chart.series.push_back({.name = curve.lines[n].first,
                               .points = curve.lines[n].second,

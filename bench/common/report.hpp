@@ -35,6 +35,7 @@ struct Row {
 struct Curve {
   std::string key, title, x_name, y_name;
   std::vector<std::pair<std::string, std::vector<glm::dvec2>>> lines;  // by name
+  bool logarithmic = true;                                             // both axes of its figure
 };
 
 struct Report {

@@ -97,13 +97,23 @@ Result<Ticks> time_ticks(Engine& engine, const Flock& flock, int ticks) {
   });
 }
 
-Result<std::vector<glm::vec3>> first_velocities(Engine& engine, const Flock& flock) {
+Result<void> fly(Engine& engine, const Flock& flock, int ticks,
+                 const std::function<void(const std::vector<glm::vec3>& velocities)>& told) {
   if (auto prepared = engine.prepare(flock.swarms, flock.places.size()); !prepared) {
-    return fail(std::move(prepared.error()));
+    return prepared;
   }
   Flying flying(flock);
-  flying.tick(engine, 0);
-  return whether_well(engine).transform([&] { return flying.told(); });
+  for (int tick = 0; tick < ticks; ++tick) {
+    flying.tick(engine, tick);
+    told(flying.told());
+  }
+  return whether_well(engine);
+}
+
+Result<std::vector<glm::vec3>> first_velocities(Engine& engine, const Flock& flock) {
+  std::vector<glm::vec3> first;
+  return fly(engine, flock, 1, [&](const std::vector<glm::vec3>& velocities) { first = velocities; })
+      .transform([&] { return first; });
 }
 
 }  // namespace mayfly::bench

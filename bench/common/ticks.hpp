@@ -1,8 +1,10 @@
 // How long an engine takes for a tick.
 #pragma once
 
+#include <functional>
 #include <glm/vec3.hpp>
 #include <span>
+#include <vector>
 
 #include "controller/engine/engine.hpp"
 
@@ -24,6 +26,10 @@ struct Ticks {
 
 // Prepares the engine for the flock and flies it from its start.
 Result<Ticks> time_ticks(Engine& engine, const Flock& flock, int ticks);
+
+// Prepares the engine and flies the flock for `ticks`; `told` sees what every agent was told at each, m/s.
+Result<void> fly(Engine& engine, const Flock& flock, int ticks,
+                 const std::function<void(const std::vector<glm::vec3>& velocities)>& told);
 
 // What the engine tells every agent at the first tick, m/s.
 Result<std::vector<glm::vec3>> first_velocities(Engine& engine, const Flock& flock);

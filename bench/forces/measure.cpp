@@ -14,7 +14,8 @@ struct Part {
 };
 
 constexpr std::array kParts{Part{"forces", measure_force_rows}, Part{"avoidance", measure_avoidance_rows},
-                            Part{"neighbours", measure_neighbour_rows}};
+                            Part{"neighbours", measure_neighbour_rows},
+                            Part{"phase transition", measure_phase_rows}};
 
 }  // namespace
 

@@ -24,6 +24,7 @@ Result<Report> measure_forces(const ForcesPlan& plan);
 // Its parts; each appends to the report.
 Result<void> measure_force_rows(const ForcesPlan& plan, Report& report);
 Result<void> measure_avoidance_rows(const ForcesPlan& plan, Report& report);
+Result<void> measure_phase_rows(const ForcesPlan& plan, Report& report);
 Result<void> measure_neighbour_rows(const ForcesPlan& plan, Report& report);
 
 }  // namespace mayfly::bench
