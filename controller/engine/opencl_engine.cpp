@@ -157,10 +157,9 @@ Result<Flying> make_flying(const Device& device, std::span<const SwarmModel> swa
 
 class OpenclEngine final : public Engine, private FirstSweep {
  public:
-  OpenclEngine(Device device, Kernel velocity, OpenclAvoidance avoidance, Kernel displacement)
+  OpenclEngine(Device device, Kernel velocity, Kernel displacement)
       : device_(std::move(device)),
         velocity_(std::move(velocity)),
-        avoidance_(std::move(avoidance)),
         displacement_(std::move(displacement)),
         team_(static_cast<int>(std::thread::hardware_concurrency())) {}
 
@@ -177,7 +176,7 @@ class OpenclEngine final : public Engine, private FirstSweep {
     upload_fault_ = {};
     seen_.prepare(swarms_, agents, team_.size());
     minimum_distance_.prepare(swarms_, agents);
-    return seen_.on() ? avoidance_.prepare(device_, agents) : Result<void>{};
+    return seen_.on() ? prepare_avoidance(agents) : Result<void>{};
   }
 
   void replace_fields(std::size_t swarm, const SwarmFields& fields) noexcept override {
@@ -256,19 +255,29 @@ class OpenclEngine final : public Engine, private FirstSweep {
     return f.ahead.download(ahead.x, ahead.y, ahead.z);
   }
 
+  // Its kernel is large: only who needs it waits for its being built.
+  Result<void> prepare_avoidance(std::size_t agents) {
+    auto avoidance = OpenclAvoidance::create(device_);
+    if (!avoidance) {
+      return fail(std::move(avoidance.error()));
+    }
+    avoidance_.emplace(std::move(*avoidance));
+    return avoidance_->prepare(device_, agents);
+  }
+
   Status avoid(const AgentColumns& at, float period_s, const VelocityColumns& out,
                std::size_t& infeasible) noexcept {
     seen_.look_round(at, team_);
-    if (const Status status = avoidance_.upload(seen_, out); !status.ok()) {
+    if (const Status status = avoidance_->upload(seen_, out); !status.ok()) {
       return status;
     }
     for (std::size_t s = 0; s < swarms_.size(); ++s) {
-      const Status status = avoidance_.start(seen_, s, swarms_[s], flying_->tables[s].walls, period_s);
+      const Status status = avoidance_->start(seen_, s, swarms_[s], flying_->tables[s].walls, period_s);
       if (!status.ok()) {
         return status;
       }
     }
-    const Status status = avoidance_.download(seen_, out, infeasible);
+    const Status status = avoidance_->download(seen_, out, infeasible);
     minimum_distance_.look_ahead({at.x, at.y, at.z}, period_s, out, team_);
     return status;
   }
@@ -326,7 +335,7 @@ class OpenclEngine final : public Engine, private FirstSweep {
 
   Device device_;
   Kernel velocity_;
-  OpenclAvoidance avoidance_;
+  std::optional<OpenclAvoidance> avoidance_;
   Kernel displacement_;
   ThreadTeam team_;
   std::vector<SwarmModel> swarms_;
@@ -354,16 +363,11 @@ Result<std::unique_ptr<Engine>> make_opencl_engine() {
   if (!velocity) {
     return fail(std::move(velocity.error()));
   }
-  auto avoidance = OpenclAvoidance::create(*device);
-  if (!avoidance) {
-    return fail(std::move(avoidance.error()));
-  }
   auto displacement = build_kernel(*device, "mde", "displacement");
   if (!displacement) {
     return fail(std::move(displacement.error()));
   }
-  return std::make_unique<OpenclEngine>(std::move(*device), std::move(*velocity), std::move(*avoidance),
-                                        std::move(*displacement));
+  return std::make_unique<OpenclEngine>(std::move(*device), std::move(*velocity), std::move(*displacement));
 }
 
 }  // namespace mayfly
