@@ -29,7 +29,6 @@ MF_FN void mf_add_flock(MfFlock* flock, F3 r, F3 v, I slot, const MfBoids* b, co
   const F alignment = mf_splat(b->alignment_radius * b->alignment_radius);
   const F cohesion = mf_splat(b->cohesion_radius * b->cohesion_radius);
   const float per_radius = b->separation_radius > 0.0f ? 1.0f / b->separation_radius : 0.0f;
-  const F3 zero = mf3_splat(0.0f, 0.0f, 0.0f);
   for (int j = first; j < past; ++j) {
     const F3 line = mf3_sub(mf3_splat(n->x[j], n->y[j], n->z[j]), r);
     const F squared = mf3_dot(line, line);
@@ -38,13 +37,13 @@ MF_FN void mf_add_flock(MfFlock* flock, F3 r, F3 v, I slot, const MfBoids* b, co
     const I cohesive = (squared < cohesion) & other;
     const I near_one = (squared < separation) & other;
     const F3 faster = mf3_sub(mf3_splat(n->vx[j], n->vy[j], n->vz[j]), v);
-    flock->velocity = mf3_add(flock->velocity, mf3_select(aligned, faster, zero));
-    flock->place = mf3_add(flock->place, mf3_select(cohesive, line, zero));
+    flock->velocity = mf3_add(flock->velocity, mf3_kept(aligned, faster));
+    flock->place = mf3_add(flock->place, mf3_kept(cohesive, line));
     flock->velocity_count -= aligned;
     flock->place_count -= cohesive;
     // r̂ (1 − r/R) = r⃗ (1/r − 1/R)
     const I some = squared >= mf_splat(MF_TINY_SQUARED);
-    const F push = mf_select(near_one & some, mf_inverse_root(squared) - per_radius, mf_splat(0.0f));
+    const F push = mf_kept(near_one & some, mf_inverse_root(squared) - per_radius);
     flock->apart = mf3_sub(flock->apart, mf3_scale(line, push));
     flock->apart_count -= near_one;
   }

@@ -82,19 +82,39 @@ MF_FN MfEight mf_sorted_eight(const MfNeighbours* n, const MF_GLOBAL int* id, in
   return e;
 }
 
-// F_int, m/s².
-MF_FN F3 mf_interaction(const MfEight* e, const MfForces* forces, const MfCubes* c, const MfNeighbours* n) {
+// Whom a swarm's agents may mind, and the mesh of their attraction.
+typedef struct {
+  MfCubes cubes;
+  MfNeighbours neighbours;
+  MfMesh mesh;
+  const MF_GLOBAL float* nodes;  // four floats each
+} MfCompany;
+
+// F_int, m/s²; `aligning` is a literal at each call.
+MF_FN F3 mf_zones_of(const MfEight* e, const MfForces* forces, const MfCompany* c, int aligning) {
   MfZoneSearch search;
   search.rep_squared = mf_splat(forces->rep_radius * forces->rep_radius);
   search.ali_squared = mf_splat(forces->ali_radius * forces->ali_radius);
   search.att_squared = mf_splat(forces->att_radius * forces->att_radius);
   search.r = e->r;
   search.v = e->v;
-  search.slot = e->slot;
+  const F3 in_mesh = mf_in_mesh(e->r, &c->mesh.cubes);
+  const int meshed = c->mesh.on && mf_all(mf_within_mesh(in_mesh, &c->mesh.cubes));
+  if (forces->att_weight != 0.0f && !meshed) {
+    const MfZoneSums all = mf_zone_sums(&search, forces, &c->cubes, &c->neighbours, aligning, 1);
+    return mf_zone_force(&all, all.att, mf_to_float(all.att_count), forces);
+  }
+  const MfZoneSums inner = mf_zone_sums(&search, forces, &c->cubes, &c->neighbours, aligning, 0);
+  MfFar far;
+  far.sum = mf3_splat(0.0f, 0.0f, 0.0f);
+  far.count = mf_splat(0.0f);
+  if (meshed) far = mf_far_between(in_mesh, c->nodes, &c->mesh.cubes);
+  return mf_zone_force(&inner, far.sum, far.count, forces);
+}
+
+MF_FN F3 mf_interaction(const MfEight* e, const MfForces* forces, const MfCompany* c) {
   const int aligning = forces->ali_weight != 0.0f && forces->ali_radius > forces->rep_radius;
-  const MfZoneSums sums =
-      aligning ? mf_zone_sums(&search, forces, c, n, 1) : mf_zone_sums(&search, forces, c, n, 0);
-  return mf_zone_force(&sums, forces);
+  return aligning ? mf_zones_of(e, forces, c, 1) : mf_zones_of(e, forces, c, 0);
 }
 
 // What agents remember of predators: see mf_stimuli_force. `key` is that of all encounters.
@@ -105,9 +125,9 @@ typedef struct {
 } MfEncounters;
 
 // The force model (BSwarm15 Eq. 2; model.md §5).
-MF_FN F3 mf_forces_velocity(const MfEight* e, const MfForces* forces, const MfCubes* c, const MfNeighbours* n,
+MF_FN F3 mf_forces_velocity(const MfEight* e, const MfForces* forces, const MfCompany* c,
                             const MfEncounters* met, const MfSetting* s) {
-  F3 force = mf_interaction(e, forces, c, n);
+  F3 force = mf_interaction(e, forces, c);
   force = mf3_add(force, mf_friction(e->v, forces->friction));
   force = mf3_add(force, mf_stimuli_force(e->r, e->v, e->id, e->id - met->first, e->lanes, forces->stimulus,
                                           forces->stimuli, met->key, met->count, met->agents));
@@ -116,9 +136,8 @@ MF_FN F3 mf_forces_velocity(const MfEight* e, const MfForces* forces, const MfCu
 }
 
 // Turned by the flock, at the flock's speed.
-MF_FN F3 mf_boids_velocity(const MfEight* e, const MfBoids* boids, const MfCubes* c, const MfNeighbours* n,
-                           const MfSetting* s) {
-  const MfFlock flock = mf_flock(e->r, e->v, e->slot, boids, c, n);
+MF_FN F3 mf_boids_velocity(const MfEight* e, const MfBoids* boids, const MfCompany* c, const MfSetting* s) {
+  const MfFlock flock = mf_flock(e->r, e->v, e->slot, boids, &c->cubes, &c->neighbours);
   const F3 force = mf3_add(mf_flock_force(&flock, boids), mf_noise_force(e->r, e->id, s));
   const F3 turned = mf3_unit(mf_integrated(e->v, force, s));
   return mf_preferred(e->r, mf3_scale(turned, mf_splat(boids->speed)), s);

@@ -276,6 +276,11 @@ typedef struct {
   F x, y, z;
 } F3;
 
+// a where the mask holds, else 0: one instruction, where a select may take three.
+MF_FN F mf_kept(I mask, F a) {
+  return mf_from_bits(mf_as_bits(a) & mf_to_unsigned(mask));
+}
+
 // NaN in a gives b: an unordered comparison is false.
 MF_FN F mf_min(F a, F b) {
   return mf_select(a < b, a, b);
@@ -338,6 +343,9 @@ MF_FN F3 mf3_cross(F3 a, F3 b) {
 }
 MF_FN F3 mf3_select(I mask, F3 a, F3 b) {
   return mf3(mf_select(mask, a.x, b.x), mf_select(mask, a.y, b.y), mf_select(mask, a.z, b.z));
+}
+MF_FN F3 mf3_kept(I mask, F3 a) {
+  return mf3(mf_kept(mask, a.x), mf_kept(mask, a.y), mf_kept(mask, a.z));
 }
 MF_FN F mf3_length(F3 a) {
   return mf_sqrt(mf3_dot(a, a));

@@ -109,10 +109,9 @@ MF_FN F mf_inverse_root(F a) {
 // Of which no unit vector is made: shorter than 1e-9 (model.md, conventions).
 #define MF_TINY_SQUARED 1e-18f
 
-// û, and 0 where |u| < 1e-9; to 7e-7.
-MF_FN F3 mf_quick_unit(F3 u, F squared) {
-  const F inverse = mf_select(squared < mf_splat(MF_TINY_SQUARED), mf_splat(0.0f), mf_inverse_root(squared));
-  return mf3_scale(u, inverse);
+// 1/|u| to 7e-7 of |u|², and 0 where |u| < 1e-9.
+MF_FN F mf_quick_inverse(F squared) {
+  return mf_kept(squared >= mf_splat(MF_TINY_SQUARED), mf_inverse_root(squared));
 }
 
 MF_END

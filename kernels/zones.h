@@ -3,7 +3,7 @@
 #ifndef MAYFLY_KERNELS_ZONES_H
 #define MAYFLY_KERNELS_ZONES_H
 
-#include "kernels/neighbours.h"
+#include "kernels/far.h"
 #include "kernels/stimulus.h"
 
 MF_BEGIN
@@ -28,7 +28,6 @@ typedef struct {
 typedef struct {
   F rep_squared, ali_squared, att_squared;  // m²
   F3 r, v;                                  // m, m/s
-  I slot;                                   // the agents' own places among the sorted
 } MfZoneSearch;
 
 MF_FN F3 mf_zero3(void) {
@@ -46,7 +45,7 @@ MF_FN void mf_add_far(MfZoneSums* sums, const MfZoneSearch* search, const MfNeig
     const F3 line = mf3_sub(mf3_splat(n->x[j], n->y[j], n->z[j]), r);
     const F squared = mf3_dot(line, line);
     const I within = squared <= most;
-    const F inverse = mf_select(within, mf_inverse_root(squared), mf_splat(0.0f));
+    const F inverse = mf_kept(within, mf_inverse_root(squared));
     sum = mf3_add(sum, mf3_scale(line, inverse));
     count -= within;
   }
@@ -54,61 +53,82 @@ MF_FN void mf_add_far(MfZoneSums* sums, const MfZoneSearch* search, const MfNeig
   sums->att_count += count;
 }
 
-// Neighbours that may be in any zone. `aligning` is a literal at each call: whether the middle zone counts.
+// The middle zone's part of one neighbour, j.
+MF_FN void mf_add_aligned(MfZoneSums* sums, const MfZoneSearch* search, const MfNeighbours* n, int j,
+                          I in_ali) {
+  if (!mf_any(in_ali)) return;
+  const F3 faster = mf3_sub(mf3_splat(n->vx[j], n->vy[j], n->vz[j]), search->v);
+  const F squared = mf3_dot(faster, faster);
+  sums->ali = mf3_add(sums->ali, mf3_scale(faster, mf_kept(in_ali, mf_quick_inverse(squared))));
+  sums->ali_count -= in_ali;
+}
+
+// Neighbours that may be in any zone. `aligning` and `attracting` are literals at each call: whether those
+// zones count.
 MF_FN void mf_add_near(MfZoneSums* sums, const MfZoneSearch* search, const MfNeighbours* n, int first,
-                       int past, int aligning) {
-  const F zero = mf_splat(0.0f);
+                       int past, int aligning, int attracting) {
+  const F rep_squared = search->rep_squared, ali_squared = search->ali_squared;
   F3 rep = mf_zero3(), att = mf_zero3();
+  I rep_count = mf_isplat(0), att_count = mf_isplat(0);
   for (int j = first; j < past; ++j) {
     const F3 line = mf3_sub(mf3_splat(n->x[j], n->y[j], n->z[j]), search->r);
     const F squared = mf3_dot(line, line);
-    const I other = search->slot != mf_isplat(j);
-    const I in_rep = (squared < search->rep_squared) & other;
-    const I in_att = (squared >= search->ali_squared) & (squared <= search->att_squared) & other;
-    const F3 unit = mf_quick_unit(line, squared);
-    rep = mf3_add(rep, mf3_select(in_rep, unit, mf_zero3()));
-    att = mf3_add(att, mf3_select(in_att, unit, mf_zero3()));
-    sums->rep_count -= in_rep;
-    sums->att_count -= in_att;
-    if (aligning) {
-      const I in_ali = (squared >= search->rep_squared) & (squared < search->ali_squared) & other;
-      if (!mf_any(in_ali)) continue;
-      const F3 faster = mf3_sub(mf3_splat(n->vx[j], n->vy[j], n->vz[j]), search->v);
-      const F speed = mf_select(in_ali, mf3_dot(faster, faster), zero);
-      sums->ali = mf3_add(sums->ali, mf3_select(in_ali, mf_quick_unit(faster, speed), mf_zero3()));
-      sums->ali_count -= in_ali;
+    const I in_rep = squared < rep_squared;
+    const I beyond = squared >= ali_squared;
+    const F inverse = mf_quick_inverse(squared);
+    rep = mf3_add(rep, mf3_scale(line, mf_kept(in_rep, inverse)));
+    rep_count -= in_rep;
+    if (attracting) {
+      const I in_att = beyond & (squared <= search->att_squared);
+      att = mf3_add(att, mf3_scale(line, mf_kept(in_att, inverse)));
+      att_count -= in_att;
     }
+    if (aligning) mf_add_aligned(sums, search, n, j, (squared >= rep_squared) & ~beyond);
   }
   sums->rep = mf3_add(sums->rep, rep);
   sums->att = mf3_add(sums->att, att);
+  sums->rep_count += rep_count;
+  sums->att_count += att_count;
 }
 
 // One row of cells: within the alignment zone's reach all zones are asked for, further out attraction alone.
 MF_FN void mf_add_row(MfZoneSums* sums, const MfZoneSearch* search, const MfNeighbours* n,
                       const MF_GLOBAL int* row, const MfRows* outer, const MfRows* inner, int k,
-                      int aligning) {
+                      int aligning, int attracting) {
   const int first = row[outer->first[k]];
   const int past = row[outer->past[k]];
   if (first == past) return;
+  if (!attracting) {
+    mf_add_near(sums, search, n, first, past, aligning, 0);
+    return;
+  }
   const int nobody = inner->first[k] == inner->past[k];
   const int near_first = nobody ? past : row[inner->first[k]];
   const int near_past = nobody ? past : row[inner->past[k]];
   mf_add_far(sums, search, n, first, near_first);
-  mf_add_near(sums, search, n, near_first, near_past, aligning);
+  mf_add_near(sums, search, n, near_first, near_past, aligning, 1);
   mf_add_far(sums, search, n, near_past, past);
 }
 
 // What all neighbours of eight agents come to, in an order of its own for each agent: that of the sorted. `n`
-// holds nobody but the swarm. Of zones without a weight the sums may be left out.
+// holds nobody but the swarm. Zones that `aligning` and `attracting` (literals at each call) leave out stay
+// empty.
 MF_FN MfZoneSums mf_zone_sums(const MfZoneSearch* search, const MfForces* zones, const MfCubes* c,
-                              const MfNeighbours* n, int aligning) {
+                              const MfNeighbours* n, int aligning, int attracting) {
   MfZoneSums sums;
   sums.rep = sums.ali = sums.att = mf_zero3();
   sums.rep_count = sums.ali_count = sums.att_count = mf_isplat(0);
-  const int attracts = zones->att_weight != 0.0f && zones->att_radius > 0.0f;
-  const float near_reach = (aligning ? zones->ali_radius : zones->rep_radius) * c->inverse;
+  // Each agent comes upon itself, in the innermost zone there is: a zero vector, but one too many.
+  if (zones->rep_radius > 0.0f) {
+    sums.rep_count -= 1;
+  } else if (zones->ali_radius > 0.0f) {
+    sums.ali_count -= 1;
+  } else {
+    sums.att_count -= 1;
+  }
+  const float radius = aligning ? zones->ali_radius : zones->rep_radius;
   const float inner_reach = zones->ali_radius * c->inverse;
-  const float reach = attracts ? zones->att_radius * c->inverse : near_reach;
+  const float reach = (attracting ? zones->att_radius : radius) * c->inverse;
   const MfBox box = mf_box_around(search->r, c);
   const int y_first = mf_first_cube(box.low_y, reach, c->cells_y);
   const int y_last = mf_last_cube(box.high_y, reach, c->cells_y);
@@ -116,28 +136,27 @@ MF_FN MfZoneSums mf_zone_sums(const MfZoneSearch* search, const MfForces* zones,
   for (int z = mf_first_cube(box.low_z, reach, c->cells_z); z <= z_last; ++z) {
     for (int y = y_first; y <= y_last; y += MF_LANES) {
       const MfRows outer = mf_rows(&box, y, z, reach, c);
-      const MfRows inner = attracts ? mf_rows(&box, y, z, inner_reach, c) : outer;
+      const MfRows inner = attracting ? mf_rows(&box, y, z, inner_reach, c) : outer;
       const MF_GLOBAL int* row = n->start + (z * c->cells_y + y) * c->cells_x;
-      for (int k = 0; k < MF_LANES && y + k <= y_last; ++k) {
-        mf_add_row(&sums, search, n, row + k * c->cells_x, &outer, &inner, k, aligning);
+      for (int k = 0; k < MF_LANES && y + k <= y_last; ++k, row += c->cells_x) {
+        mf_add_row(&sums, search, n, row, &outer, &inner, k, aligning, attracting);
       }
     }
   }
   return sums;
 }
 
-// χ/N Σ, and 0 for an empty zone.
-MF_FN F3 mf_zone_mean(F3 sum, I count, float weight) {
-  const F all = mf_to_float(mf_imax(count, mf_isplat(1)));
-  return mf3_scale(sum, weight / all);
+// χ/N Σ, and 0 for an empty zone. Of a mesh, less than half a neighbour is nobody.
+MF_FN F3 mf_zone_mean(F3 sum, F count, float weight) {
+  const I somebody = count >= mf_splat(0.5f);
+  return mf3_scale(mf3_kept(somebody, sum), weight / mf_max(count, mf_splat(1.0f)));
 }
 
 // F_int, m/s².
-MF_FN F3 mf_zone_force(const MfZoneSums* sums, const MfForces* zones) {
-  const F3 rep = mf_zone_mean(sums->rep, sums->rep_count, -zones->rep_weight);
-  const F3 ali = mf_zone_mean(sums->ali, sums->ali_count, zones->ali_weight);
-  const F3 att = mf_zone_mean(sums->att, sums->att_count, zones->att_weight);
-  return mf3_add(mf3_add(rep, ali), att);
+MF_FN F3 mf_zone_force(const MfZoneSums* sums, F3 att, F att_count, const MfForces* zones) {
+  const F3 rep = mf_zone_mean(sums->rep, mf_to_float(sums->rep_count), -zones->rep_weight);
+  const F3 ali = mf_zone_mean(sums->ali, mf_to_float(sums->ali_count), zones->ali_weight);
+  return mf3_add(mf3_add(rep, ali), mf_zone_mean(att, att_count, zones->att_weight));
 }
 
 MF_END

@@ -15,22 +15,18 @@ using kernels::I;
 // No tick of a flight has this number: what is drawn by it holds for the whole flight.
 constexpr std::uint64_t kNoTick = std::numeric_limits<std::uint64_t>::max();
 
-// How an interaction looks for neighbours.
-struct Search {
-  float reach = 0.0F;    // m
-  float company = 8.0F;  // agents a cell
-};
-
-Search search_of(const SwarmModel& model) {
+// How far an agent looks for single neighbours, m.
+float reach_of(const SwarmModel& model) {
   if (model.motor == Motor::kForces) {
     const kernels::MfForces& f = model.forces;
-    return {f.att_weight != 0.0F ? f.att_radius : f.ali_radius, 8.0F};
+    // Where a mesh attracts, pairs are looked for in the inner zones alone.
+    return f.att_weight != 0.0F && model.far_error <= 0.0F ? f.att_radius : f.ali_radius;
   }
   if (model.motor == Motor::kBoids) {
     const kernels::MfBoids& b = model.boids;
-    return {std::max({b.separation_radius, b.alignment_radius, b.cohesion_radius}), 4.0F};
+    return std::max({b.separation_radius, b.alignment_radius, b.cohesion_radius});
   }
-  return {0.0F, 64.0F};
+  return 0.0F;
 }
 
 // A thread takes so many eights at a time that it is not for nothing that it wakes up.
@@ -40,14 +36,14 @@ std::size_t grain_of(const SwarmModel& model) {
 }
 
 F3 velocity_of(const kernels::MfEight& e, const SwarmModel& model, ForcedSwarm& forced,
-               const kernels::MfNeighbours& neighbours, const kernels::MfSetting& setting) {
+               const kernels::MfCompany& company, const kernels::MfSetting& setting) {
   if (model.motor == Motor::kForces) {
     const kernels::MfEncounters met{&forced.key, forced.encounters.data(), static_cast<int>(model.first),
                                     static_cast<int>(model.count)};
-    return kernels::mf_forces_velocity(&e, &model.forces, &forced.grid.cubes(), &neighbours, &met, &setting);
+    return kernels::mf_forces_velocity(&e, &model.forces, &company, &met, &setting);
   }
   if (model.motor == Motor::kBoids) {
-    return kernels::mf_boids_velocity(&e, &model.boids, &forced.grid.cubes(), &neighbours, &setting);
+    return kernels::mf_boids_velocity(&e, &model.boids, &company, &setting);
   }
   return kernels::mf_brownian_velocity(&e, &model.brownian, &setting);
 }
@@ -67,6 +63,7 @@ std::vector<ForcedSwarm> forced_swarms(std::span<const SwarmModel> swarms) {
     forced.key = moment_of(model.field.noise, kNoTick, 0.0);
     if (model.motor == Motor::kForces) {
       forced.encounters.assign(model.count * static_cast<std::size_t>(model.forces.stimuli), 0);
+      forced.far.reserve(model.count);
     }
   }
   return all;
@@ -74,9 +71,12 @@ std::vector<ForcedSwarm> forced_swarms(std::span<const SwarmModel> swarms) {
 
 void sort_for_forces(ForcedSwarm& forced, const SwarmModel& model, const AgentColumns& at,
                      const VelocityColumns& out, ThreadTeam& team) noexcept {
+  constexpr float kCompany = 8.0F;   // agents a cell: fewer are more rows, more are farther apart
   constexpr float kFinest = 0.125F;  // of the reach: smaller cells are more rows, and no fewer agents
-  const Search search = search_of(model);
-  forced.grid.sort(at, search.company, kFinest * search.reach, team);
+  forced.grid.sort(at, kCompany, kFinest * reach_of(model), team);
+  if (model.motor == Motor::kForces) {
+    forced.far.build(forced.grid, model, team);
+  }
   for (const int agent : forced.grid.absent()) {
     const auto a = static_cast<std::size_t>(agent);
     out.x[a] = out.y[a] = out.z[a] = 0.0F;
@@ -96,13 +96,14 @@ void ForceStage::compute(std::span<const SwarmModel> swarms, const AgentColumns&
     sort_for_forces(forced, model, at, out, team);
     const kernels::MfMoment moment = moment_of(model.field.noise, tick.number, tick.time_s);
     const kernels::MfSetting setting = setting_of(model, moment, tick.period_s);
-    const kernels::MfNeighbours neighbours = forced.grid.neighbours();
+    const kernels::MfCompany company{forced.grid.cubes(), forced.grid.neighbours(), forced.far.mesh(),
+                                     forced.far.nodes().data()};
     const std::span<const int> eights = forced.grid.eights();
     team.for_ranges(forced.grid.eight_count(), grain_of(model), [&](std::size_t first, std::size_t last) {
       for (std::size_t g = first; g < last; ++g) {
-        const kernels::MfEight e = kernels::mf_sorted_eight(&neighbours, forced.grid.id().data(), eights[g],
+        const kernels::MfEight e = kernels::mf_sorted_eight(&company.neighbours, forced.grid.id().data(), eights[g],
                                                             eights[g + 1] - eights[g]);
-        const F3 v = velocity_of(e, model, forced, neighbours, setting);
+        const F3 v = velocity_of(e, model, forced, company, setting);
         kernels::mf_scatter(out.x.data(), e.id, v.x, e.lanes);
         kernels::mf_scatter(out.y.data(), e.id, v.y, e.lanes);
         kernels::mf_scatter(out.z.data(), e.id, v.z, e.lanes);

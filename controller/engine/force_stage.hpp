@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "controller/engine/engine.hpp"
+#include "controller/engine/far_field.hpp"
 #include "controller/engine/neighbour_grid.hpp"
 #include "controller/engine/thread_team.hpp"
 
@@ -16,6 +17,7 @@ namespace mayfly {
 struct ForcedSwarm {
   std::size_t swarm = 0;  // among all
   NeighbourGrid grid;
+  FarField far;
   std::vector<int> encounters;  // see MfEncounters
   kernels::MfMoment key{};      // of their draws
 };
@@ -23,7 +25,8 @@ struct ForcedSwarm {
 // Those of `swarms` that forces move, with room for all they need.
 std::vector<ForcedSwarm> forced_swarms(std::span<const SwarmModel> swarms);
 
-// Sorts the swarm for its search. Absent agents, who are not among the sorted, get zero velocity.
+// Sorts the swarm for its search, and makes its mesh of attraction. Absent agents, who are not among the
+// sorted, get zero velocity.
 void sort_for_forces(ForcedSwarm& forced, const SwarmModel& model, const AgentColumns& at,
                      const VelocityColumns& out, ThreadTeam& team) noexcept;
 

@@ -63,7 +63,8 @@ void NeighbourGrid::sort(const AgentColumns& at, float company, float least_side
   cut_rows();
 }
 
-// Where most of a sample are, and half as much on either side: strays share the outermost cells.
+// Where most of a sample are, and half as much on either side, but no more than all need: strays share the
+// outermost cells.
 NeighbourGrid::Extent NeighbourGrid::extent(const AgentColumns& at) noexcept {
   const std::size_t stride = std::max<std::size_t>(most_ / kSample, 1);
   std::size_t taken = 0;
@@ -75,6 +76,7 @@ NeighbourGrid::Extent NeighbourGrid::extent(const AgentColumns& at) noexcept {
       ++taken;
     }
   }
+  const std::array<std::span<const float>, 3> axes{at.x, at.y, at.z};
   Extent extent;
   for (std::size_t axis = 0; axis < 3 && taken > 0; ++axis) {
     const auto begin = sample_[axis].begin();
@@ -85,8 +87,15 @@ NeighbourGrid::Extent NeighbourGrid::extent(const AgentColumns& at) noexcept {
     std::nth_element(begin, end - 1 - cut, end);
     const float high = *(end - 1 - cut);
     const float beyond = 0.5F * (high - low);
-    extent.low[axis] = std::max(*std::min_element(begin, end), low - beyond);
-    extent.high[axis] = std::min(*std::max_element(begin, end), high + beyond);
+    F least = kernels::mf_splat(low);
+    F greatest = kernels::mf_splat(high);
+    for (std::size_t a = first_; a < first_ + most_; a += MF_LANES) {
+      const F here = eight_of(axes[axis], a, first_ + most_);  // what is no number is neither
+      least = kernels::mf_min(here, least);
+      greatest = kernels::mf_max(here, greatest);
+    }
+    extent.low[axis] = std::max(kernels::mf_least(least), low - beyond);
+    extent.high[axis] = std::min(kernels::mf_greatest(greatest), high + beyond);
   }
   return extent;
 }
