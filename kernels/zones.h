@@ -93,8 +93,8 @@ MF_FN void mf_add_near(MfZoneSums* sums, const MfZoneSearch* search, const MfNei
 
 // One row of cells: within the alignment zone's reach all zones are asked for, further out attraction alone.
 MF_FN void mf_add_row(MfZoneSums* sums, const MfZoneSearch* search, const MfNeighbours* n,
-                      const MF_GLOBAL int* row, const MfRows* outer, const MfRows* inner, int k,
-                      int aligning, int attracting) {
+                      const MF_GLOBAL int* row, const MfRows* outer, const MfRows* inner, int k, int aligning,
+                      int attracting) {
   const int first = row[outer->first[k]];
   const int past = row[outer->past[k]];
   if (first == past) return;

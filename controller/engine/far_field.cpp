@@ -57,9 +57,8 @@ bool FarField::choose_cubes(const NeighbourGrid& grid, const SwarmModel& model) 
   }
   const kernels::MfCubes& fine = grid.cubes();
   const double side = 1.0 / static_cast<double>(fine.inverse);
-  const double spacing =
-      node_spacing(static_cast<double>(model.far_error), static_cast<double>(f.att_radius),
-                   side * std::max({fine.cells_x, fine.cells_y, fine.cells_z}));
+  const double spacing = node_spacing(static_cast<double>(model.far_error), static_cast<double>(f.att_radius),
+                                      side * std::max({fine.cells_x, fine.cells_y, fine.cells_z}));
   double nodes = 1.0;
   double in_reach = 1.0;  // of all agents, at the most
   const auto along = [&](int cells) {
@@ -165,10 +164,9 @@ void FarField::fill_nodes(std::size_t first, std::size_t last) noexcept {
     }
     // Beyond the row's end the last node again: its box is not to grow.
     const kernels::I along = kernels::mf_imin(kernels::mf_lane_index() + x, kernels::mf_isplat(c.cells_x));
-    const F3 node =
-        kernels::mf3(c.low_x + kernels::mf_to_float(along) * side,
-                     kernels::mf_splat(c.low_y + static_cast<float>(y) * side),
-                     kernels::mf_splat(c.low_z + static_cast<float>(z) * side));
+    const F3 node = kernels::mf3(c.low_x + kernels::mf_to_float(along) * side,
+                                 kernels::mf_splat(c.low_y + static_cast<float>(y) * side),
+                                 kernels::mf_splat(c.low_z + static_cast<float>(z) * side));
     const kernels::MfFar far = kernels::mf_far_at(node, &lumps, &mesh_);
     const int lanes = std::min(MF_LANES, c.cells_x + 1 - x);
     for (int k = 0; k < lanes; ++k) {

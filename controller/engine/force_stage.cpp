@@ -101,8 +101,8 @@ void ForceStage::compute(std::span<const SwarmModel> swarms, const AgentColumns&
     const std::span<const int> eights = forced.grid.eights();
     team.for_ranges(forced.grid.eight_count(), grain_of(model), [&](std::size_t first, std::size_t last) {
       for (std::size_t g = first; g < last; ++g) {
-        const kernels::MfEight e = kernels::mf_sorted_eight(&company.neighbours, forced.grid.id().data(), eights[g],
-                                                            eights[g + 1] - eights[g]);
+        const kernels::MfEight e = kernels::mf_sorted_eight(&company.neighbours, forced.grid.id().data(),
+                                                            eights[g], eights[g + 1] - eights[g]);
         const F3 v = velocity_of(e, model, forced, company, setting);
         kernels::mf_scatter(out.x.data(), e.id, v.x, e.lanes);
         kernels::mf_scatter(out.y.data(), e.id, v.y, e.lanes);

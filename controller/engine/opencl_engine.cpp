@@ -11,6 +11,7 @@
 #include "controller/engine/minimum_distance.hpp"
 #include "controller/engine/moment.hpp"
 #include "controller/engine/opencl_avoidance.hpp"
+#include "controller/engine/opencl_forces.hpp"
 #include "controller/engine/permutation.hpp"
 
 namespace mayfly {
@@ -176,6 +177,9 @@ class OpenclEngine final : public Engine, private FirstSweep {
     upload_fault_ = {};
     seen_.prepare(swarms_, agents, team_.size());
     minimum_distance_.prepare(swarms_, agents);
+    if (auto prepared = prepare_forces(); !prepared) {
+      return prepared;
+    }
     return seen_.on() ? prepare_avoidance(agents) : Result<void>{};
   }
 
@@ -201,7 +205,9 @@ class OpenclEngine final : public Engine, private FirstSweep {
     // by half a table.
     fault_ = upload_fault_;
     if (fault_.empty()) {
-      if (const Status status = velocities(at, tick, out); !status.ok()) {
+      Status status = velocities(at, tick, out);
+      status = status.ok() ? forced_velocities(at, tick, out) : status;
+      if (!status.ok()) {
         fault_ = compute::name_of(status);
       }
     }
@@ -210,6 +216,9 @@ class OpenclEngine final : public Engine, private FirstSweep {
       if (const Status status = avoid(at, tick.period_s, out, infeasible); !status.ok()) {
         fault_ = compute::name_of(status);
       }
+    }
+    if (seen_.on() || forces_) {
+      minimum_distance_.look_ahead({at.x, at.y, at.z}, tick.period_s, out, team_);
     }
     const std::size_t moved =
         fault_.empty() ? minimum_distance_.enforce({at.x, at.y, at.z}, tick.period_s, out, *this, team_) : 0;
@@ -234,6 +243,9 @@ class OpenclEngine final : public Engine, private FirstSweep {
     }
     for (std::size_t s = 0; s < swarms_.size(); ++s) {
       const SwarmModel& swarm = swarms_[s];
+      if (swarm.motor != Motor::kField) {
+        continue;
+      }
       const SwarmTables& tables = f.tables[s];
       const Status set = velocity_.set(
           f.at.x, f.at.y, f.at.z, f.order, tables.rest.x, tables.rest.y, tables.rest.z, f.velocity.x,
@@ -255,7 +267,22 @@ class OpenclEngine final : public Engine, private FirstSweep {
     return f.ahead.download(ahead.x, ahead.y, ahead.z);
   }
 
-  // Its kernel is large: only who needs it waits for its being built.
+  // Its kernels are large: only who needs them waits for their being built.
+  Result<void> prepare_forces() {
+    const auto is_forced = [](const SwarmModel& swarm) { return swarm.motor != Motor::kField; };
+    forces_.reset();
+    if (std::none_of(swarms_.begin(), swarms_.end(), is_forced)) {
+      return {};
+    }
+    auto forces = OpenclForces::create(device_);
+    if (!forces) {
+      return fail(std::move(forces.error()));
+    }
+    forces_.emplace(std::move(*forces));
+    return forces_->prepare(device_, swarms_);
+  }
+
+  // The same.
   Result<void> prepare_avoidance(std::size_t agents) {
     auto avoidance = OpenclAvoidance::create(device_);
     if (!avoidance) {
@@ -263,6 +290,20 @@ class OpenclEngine final : public Engine, private FirstSweep {
     }
     avoidance_.emplace(std::move(*avoidance));
     return avoidance_->prepare(device_, agents);
+  }
+
+  // In place of what the field model left there.
+  Status forced_velocities(const AgentColumns& at, const TickTime& tick,
+                           const VelocityColumns& out) noexcept {
+    for (std::size_t which = 0; forces_ && which < forces_->forced(); ++which) {
+      const std::size_t swarm = forces_->swarm_of(which);
+      const OpenclForces::Tables tables{flying_->tables[swarm].walls, flying_->permutation};
+      const Status status = forces_->compute(which, swarms_[swarm], at, tick, tables, out, team_);
+      if (!status.ok()) {
+        return status;
+      }
+    }
+    return {};
   }
 
   Status avoid(const AgentColumns& at, float period_s, const VelocityColumns& out,
@@ -277,9 +318,7 @@ class OpenclEngine final : public Engine, private FirstSweep {
         return status;
       }
     }
-    const Status status = avoidance_->download(seen_, out, infeasible);
-    minimum_distance_.look_ahead({at.x, at.y, at.z}, period_s, out, team_);
-    return status;
+    return avoidance_->download(seen_, out, infeasible);
   }
 
   void first_sweep(const CellOrder& order, SearchReach reach, Displacements& out) noexcept override {
@@ -335,6 +374,7 @@ class OpenclEngine final : public Engine, private FirstSweep {
 
   Device device_;
   Kernel velocity_;
+  std::optional<OpenclForces> forces_;
   std::optional<OpenclAvoidance> avoidance_;
   Kernel displacement_;
   ThreadTeam team_;
