@@ -27,6 +27,9 @@ void Avoidance::prepare(std::span<const SwarmModel> swarms, std::size_t agents, 
     return;
   }
   grid_.reserve(agents, threads);
+  wide_.reserve(agents, threads);
+  slot_of_.assign(agents, 0);
+  wide_slot_of_.assign(agents, 0);
   const std::size_t padded = agents + MF_LANES;
   swarm_of_.assign(agents, 0);
   for (std::size_t s = 0; s < swarms.size(); ++s) {
@@ -43,7 +46,7 @@ void Avoidance::look_round(const AgentColumns& at, ThreadTeam& team) noexcept {
   sort(at, team);
   take_bodies(at, team);
   take_slots();
-  find_neighbours(team);
+  find_neighbours(at, team);
 }
 
 // Cells are as long as the longest range; in a crowd so short that a ball of that radius holds about twice as
@@ -96,17 +99,38 @@ void Avoidance::take_slots() noexcept {
   }
 }
 
-void Avoidance::find_neighbours(ThreadTeam& team) noexcept {
+void Avoidance::find_neighbours(const AgentColumns& at, ThreadTeam& team) noexcept {
+  constexpr float kPatience = 8.0F;  // sides of a cell
+  const bool crowded = range_ > kPatience * grid_.side();
+  if (crowded) {
+    wide_.sort({at.x, at.y, at.z}, range_, team);
+    for (std::size_t slot = 0; slot < grid_.size(); ++slot) {
+      slot_of_[static_cast<std::size_t>(grid_.id()[slot])] = static_cast<int>(slot);
+      wide_slot_of_[static_cast<std::size_t>(wide_.id()[slot])] = static_cast<int>(slot);
+    }
+  }
+  const float patience = crowded ? kPatience * grid_.side() : range_;
   team.for_ranges(grid_.size(), kChunk, [&](std::size_t first, std::size_t last) {
     for (std::size_t slot = first; slot < last; ++slot) {
       const kernels::MfAvoidance& a =
           swarms_[swarm_of_[static_cast<std::size_t>(grid_.id()[slot])]].avoidance;
-      if (a.on != 0) {
-        find_nearest(grid_, slot, {a.range, a.neighbours},
-                     std::span(nearest_).subspan(slot * kMostNearest).first<kMostNearest>());
+      const NearestQuery query{a.range, a.neighbours};
+      if (a.on != 0 && !find_nearest(grid_, slot, query, patience, nearest_of(slot))) {
+        find_far_ones(slot, query);
       }
     }
   });
+}
+
+// In the wide grid, whose numbers are then put into those of the other.
+void Avoidance::find_far_ones(std::size_t slot, const NearestQuery& query) noexcept {
+  const auto self = static_cast<std::size_t>(grid_.id()[slot]);
+  const std::span<int, kMostNearest> found = nearest_of(slot);
+  find_nearest(wide_, static_cast<std::size_t>(wide_slot_of_[self]), query, query.range, found);
+  for (int& other : found) {
+    other =
+        other < 0 ? other : slot_of_[static_cast<std::size_t>(wide_.id()[static_cast<std::size_t>(other)])];
+  }
 }
 
 }  // namespace mayfly

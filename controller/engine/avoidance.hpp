@@ -46,18 +46,24 @@ class Avoidance {
   void sort(const AgentColumns& at, ThreadTeam& team) noexcept;
   void take_bodies(const AgentColumns& at, ThreadTeam& team) noexcept;
   void take_slots() noexcept;
-  void find_neighbours(ThreadTeam& team) noexcept;
+  void find_neighbours(const AgentColumns& at, ThreadTeam& team) noexcept;
+  std::span<int, kMostNearest> nearest_of(std::size_t slot) noexcept {
+    return std::span(nearest_).subspan(slot * kMostNearest).first<kMostNearest>();
+  }
+  void find_far_ones(std::size_t slot, const NearestQuery& query) noexcept;
 
   std::span<const SwarmModel> swarms_;
   float range_ = 0.0F;  // m, the longest
   int most_ = 0;        // neighbours, of any swarm
   float side_ = 0.0F;   // m, of the next cells; 0 before the first tick
   NearGrid grid_;
-  std::vector<std::uint16_t> swarm_of_;  // one an agent
-  std::vector<float> body_, motion_;     // four a sorted agent
-  std::vector<int> nearest_;             // kMostNearest a sorted agent
-  std::vector<int> slots_;               // sorted numbers, swarm by swarm
-  std::vector<std::size_t> slots_in_;    // one a swarm
+  NearGrid wide_;                            // of cells as long as the range, for those outside a crowd
+  std::vector<std::uint16_t> swarm_of_;      // one an agent
+  std::vector<int> slot_of_, wide_slot_of_;  // one an agent, where the wide grid is in use
+  std::vector<float> body_, motion_;         // four a sorted agent
+  std::vector<int> nearest_;                 // kMostNearest a sorted agent
+  std::vector<int> slots_;                   // sorted numbers, swarm by swarm
+  std::vector<std::size_t> slots_in_;        // one a swarm
 };
 
 }  // namespace mayfly

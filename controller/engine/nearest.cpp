@@ -120,7 +120,7 @@ class Found {
 
 }  // namespace
 
-void find_nearest(const NearGrid& grid, std::size_t slot, const NearestQuery& query,
+bool find_nearest(const NearGrid& grid, std::size_t slot, const NearestQuery& query, float patience,
                   std::span<int, kMostNearest> out) noexcept {
   Found found(grid, slot, query.most);
   // In a crowd enough are found long before the range is searched.
@@ -128,6 +128,9 @@ void find_nearest(const NearGrid& grid, std::size_t slot, const NearestQuery& qu
   found.within(radius);
   while (found.count() < query.most && radius < query.range) {
     radius = std::min(query.range, 2 * radius);
+    if (radius > patience) {
+      return false;
+    }
     found.within(radius);
   }
   found.sort();
@@ -135,6 +138,7 @@ void find_nearest(const NearGrid& grid, std::size_t slot, const NearestQuery& qu
   for (int n = 0; n < found.count(); ++n) {
     out[static_cast<std::size_t>(n)] = found.slot(n);
   }
+  return true;
 }
 
 }  // namespace mayfly

@@ -5,6 +5,7 @@
 #include <limits>
 #include <random>
 
+#include "controller/engine/avoidance.hpp"
 #include "controller/engine/nearest.hpp"
 #include "controller/engine/neighbour_lists.hpp"
 
@@ -53,21 +54,22 @@ Cloud cloud_of(int kind, std::size_t points) {
   return cloud;
 }
 
+// Squared distance and number.
+std::vector<std::pair<float, int>> nearest_in(const Cloud& cloud, std::size_t self,
+                                              const NearestQuery& query) {
+  std::vector<std::pair<float, int>> all;
+  for (std::size_t q = 0; q < cloud.x.size(); ++q) {
+    if (q != self && cloud.distance2(self, q) <= query.range * query.range) {
+      all.emplace_back(cloud.distance2(self, q), static_cast<int>(q));
+    }
+  }
+  std::sort(all.begin(), all.end());
+  all.resize(std::min(all.size(), static_cast<std::size_t>(query.most)));
+  return all;
+}
+
 class Search : public testing::TestWithParam<std::tuple<int, std::size_t>> {
  protected:
-  // Squared distance and number.
-  std::vector<std::pair<float, int>> nearest(std::size_t self, const NearestQuery& query) const {
-    std::vector<std::pair<float, int>> all;
-    for (std::size_t q = 0; q < cloud_.x.size(); ++q) {
-      if (q != self && cloud_.distance2(self, q) <= query.range * query.range) {
-        all.emplace_back(cloud_.distance2(self, q), static_cast<int>(q));
-      }
-    }
-    std::sort(all.begin(), all.end());
-    all.resize(std::min(all.size(), static_cast<std::size_t>(query.most)));
-    return all;
-  }
-
   Cloud cloud_ = cloud_of(std::get<0>(GetParam()), std::get<1>(GetParam()));
 };
 
@@ -106,9 +108,9 @@ TEST_P(Search, FindsTheNearest) {
     for (const NearestQuery query : {NearestQuery{1.0F, 10}, NearestQuery{0.5F, 1}, NearestQuery{6.0F, 16}}) {
       for (std::size_t slot = 0; slot < grid.size(); ++slot) {
         const auto self = static_cast<std::size_t>(grid.id()[slot]);
-        const auto expected = nearest(self, query);
+        const auto expected = nearest_in(cloud_, self, query);
         std::array<int, kMostNearest> found{};
-        find_nearest(grid, slot, query, found);
+        EXPECT_TRUE(find_nearest(grid, slot, query, query.range, found));
         for (std::size_t n = 0; n < found.size(); ++n) {
           const int id = found[n] < 0 ? -1 : grid.id()[static_cast<std::size_t>(found[n])];
           EXPECT_EQ(id, n < expected.size() ? expected[n].second : -1) << self << " " << n << " " << side;
@@ -120,6 +122,36 @@ TEST_P(Search, FindsTheNearest) {
 
 INSTANTIATE_TEST_SUITE_P(Clouds, Search,
                          testing::Combine(testing::Range(0, 5), testing::Values(0, 1, 9, 700)));
+
+// A tight knot and others far around it: cells that suit the one do not suit the others.
+TEST(Avoidance, SeesTheNearestInAKnotAndOutsideIt) {
+  Cloud cloud;
+  std::mt19937 engine(1);
+  std::normal_distribution<float> normal;
+  for (int p = 0; p < 1600; ++p) {
+    const float scale = p % 4 == 0 ? 4.0F : 0.05F;
+    cloud.add(scale * normal(engine), scale * normal(engine), scale * normal(engine));
+  }
+  SwarmModel swarm;
+  swarm.count = cloud.x.size();
+  swarm.avoidance = {1, 0.01F, 1.0F, 1.0F, 3.0F, 10, 1.0F, 0};
+  Avoidance avoidance;
+  const std::vector<SwarmModel> swarms{swarm};
+  avoidance.prepare(swarms, cloud.x.size(), 2);
+  ThreadTeam team(2);
+  for (int tick = 0; tick < 3; ++tick) {
+    avoidance.look_round({cloud.x, cloud.y, cloud.z}, team);
+    const std::span<const int> id = avoidance.id();
+    for (std::size_t slot = 0; slot < avoidance.present(); ++slot) {
+      const auto expected = nearest_in(cloud, static_cast<std::size_t>(id[slot]), {3.0F, 10});
+      for (std::size_t n = 0; n < kMostNearest; ++n) {
+        const int found = avoidance.nearest()[slot * kMostNearest + n];
+        EXPECT_EQ(found < 0 ? -1 : id[static_cast<std::size_t>(found)],
+                  n < expected.size() ? expected[n].second : -1);
+      }
+    }
+  }
+}
 
 }  // namespace
 }  // namespace mayfly
