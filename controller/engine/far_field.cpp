@@ -22,9 +22,9 @@ std::size_t nodes_in(const kernels::MfCubes& c) {
 
 // m between nodes, so that the mean error of the force is below `error`. Lumps on the edge of the zone make
 // most of it; it was found to grow with the square of their size, and the factor leaves a margin of two to
-// three (docs/decisions/0015-forces-and-far-field.md).
+// five (docs/decisions/0015-forces-and-far-field.md).
 double node_spacing(double error, double att_radius, double extent) {
-  return 0.6 * std::sqrt(error) * std::min(att_radius, 0.5 * extent);
+  return 0.5 * std::sqrt(error) * std::min(att_radius, 0.5 * extent);
 }
 
 }  // namespace
@@ -136,9 +136,9 @@ bool FarField::is_read(int x, int y, int z) const noexcept {
   const kernels::MfCubes& c = mesh_.cubes;
   for (int k = std::max(z - 1, 0); k <= std::min(z, c.cells_z - 1); ++k) {
     for (int j = std::max(y - 1, 0); j <= std::min(y, c.cells_y - 1); ++j) {
-      const auto row = static_cast<std::size_t>((k * c.cells_y + j) * c.cells_x);
-      const auto first = row + static_cast<std::size_t>(std::max(x - 1, 0));
-      const auto past = row + static_cast<std::size_t>(std::min(x + MF_LANES, c.cells_x));
+      const int row = (k * c.cells_y + j) * c.cells_x;
+      const auto first = static_cast<std::size_t>(row + std::max(x - 1, 0));
+      const auto past = static_cast<std::size_t>(row + std::min(x + MF_LANES, c.cells_x));
       if (start_[first] != start_[past]) {
         return true;
       }
@@ -164,13 +164,14 @@ void FarField::fill_nodes(std::size_t first, std::size_t last) noexcept {
     }
     // Beyond the row's end the last node again: its box is not to grow.
     const kernels::I along = kernels::mf_imin(kernels::mf_lane_index() + x, kernels::mf_isplat(c.cells_x));
-    const F3 node = kernels::mf3(c.low_x + kernels::mf_to_float(along) * side,
-                                 kernels::mf_splat(c.low_y + static_cast<float>(y) * side),
-                                 kernels::mf_splat(c.low_z + static_cast<float>(z) * side));
-    const kernels::MfFar far = kernels::mf_far_at(node, &lumps, &mesh_);
+    const F3 corner = kernels::mf3(c.low_x + kernels::mf_to_float(along) * side,
+                                   kernels::mf_splat(c.low_y + static_cast<float>(y) * side),
+                                   kernels::mf_splat(c.low_z + static_cast<float>(z) * side));
+    const kernels::MfFar far = kernels::mf_far_at(corner, &lumps, &mesh_);
     const int lanes = std::min(MF_LANES, c.cells_x + 1 - x);
     for (int k = 0; k < lanes; ++k) {
-      float* to = &nodes_[4 * static_cast<std::size_t>(row * (c.cells_x + 1) + x + k)];
+      const int node = row * (c.cells_x + 1) + x + k;
+      float* to = &nodes_[4 * static_cast<std::size_t>(node)];
       to[0] = far.sum.x[k];
       to[1] = far.sum.y[k];
       to[2] = far.sum.z[k];

@@ -2,26 +2,27 @@
 // nothing of the code under test.
 #pragma once
 
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <vector>
 
 namespace mayfly::reference {
 
-using Vec3 = std::array<double, 3>;
+struct Vec3 {
+  double x = 0, y = 0, z = 0;
+};
 
 inline Vec3 operator+(Vec3 a, Vec3 b) {
-  return {a[0] + b[0], a[1] + b[1], a[2] + b[2]};
+  return {a.x + b.x, a.y + b.y, a.z + b.z};
 }
 inline Vec3 operator-(Vec3 a, Vec3 b) {
-  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+  return {a.x - b.x, a.y - b.y, a.z - b.z};
 }
 inline Vec3 operator*(double s, Vec3 a) {
-  return {s * a[0], s * a[1], s * a[2]};
+  return {s * a.x, s * a.y, s * a.z};
 }
 inline double length(Vec3 a) {
-  return std::sqrt(a[0] * a[0] + a[1] * a[1] + a[2] * a[2]);
+  return std::sqrt(a.x * a.x + a.y * a.y + a.z * a.z);
 }
 inline Vec3 unit(Vec3 a) {
   const double l = length(a);
@@ -50,7 +51,7 @@ inline Interaction interaction(const Agents& all, std::size_t i, const Zones& z)
   Vec3 rep{}, ali{}, att{};
   std::size_t on_edge = 0;
   for (std::size_t j = 0; j < all.r.size(); ++j) {
-    if (j == i || std::isnan(all.r[j][0] + all.r[j][1] + all.r[j][2])) {
+    if (j == i || std::isnan(all.r[j].x + all.r[j].y + all.r[j].z)) {
       continue;
     }
     const Vec3 line = all.r[j] - all.r[i];
@@ -84,8 +85,7 @@ inline Vec3 friction(Vec3 v, double gamma) {
 
 // u turned about +z.
 inline Vec3 turned(Vec3 u, double angle) {
-  return {std::cos(angle) * u[0] - std::sin(angle) * u[1], std::sin(angle) * u[0] + std::cos(angle) * u[1],
-          u[2]};
+  return {std::cos(angle) * u.x - std::sin(angle) * u.y, std::sin(angle) * u.x + std::cos(angle) * u.y, u.z};
 }
 
 }  // namespace mayfly::reference

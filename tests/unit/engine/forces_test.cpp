@@ -9,8 +9,6 @@ namespace mayfly {
 namespace {
 
 using reference::length;
-using reference::operator+;
-using reference::operator-;
 using reference::Vec3;
 using reference::Zones;
 using test::Columns;
