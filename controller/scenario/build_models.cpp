@@ -96,6 +96,7 @@ AvoidanceSpec build_avoidance(const Values& avoidance, const SwarmSpec& swarm) {
   const float apart = std::max(swarm.limits.separation, 2.0F * swarm.radius);
   spec.range = avoidance.maybe_number("range").value_or(apart + 2.0F * swarm.limits.speed * spec.horizon);
   spec.neighbours = static_cast<int>(avoidance.integer("neighbours"));
+  spec.strict = avoidance.flag("strict");
   return spec;
 }
 

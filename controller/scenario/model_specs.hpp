@@ -49,6 +49,7 @@ struct AvoidanceSpec {
   float wall_horizon = 0.5F;  // s, against obstacles
   float range = 1.0F;         // m: nobody farther is considered
   int neighbours = 10;        // the nearest so many are
+  bool strict = false;        // nobody touches even in a jam
 };
 
 // Agents that are not there from the start: those with the highest numbers.

@@ -121,6 +121,11 @@ void add_avoidance_rows(Rows& rows, const std::string& path) {
                   .max = 16,
                   .fallback = "10",
                   .text = "Of those in range, the nearest so many are considered."});
+  rows.push_back({.path = path + ".strict",
+                  .type = KeyType::kFlag,
+                  .fallback = "off",
+                  .text = "Two share out the gap between them before every tick: none that are strict touch, "
+                          "even in a jam, but dense flocks become slower."});
 }
 
 void add_roster_rows(Rows& rows, const std::string& at) {

@@ -90,6 +90,11 @@ TEST(Models, RangeIsWhereTwoCouldMeetWithinTheHorizon) {
   EXPECT_FLOAT_EQ(swarm_of_text(insects("    avoidance: {range: 5}\n")).avoidance.range, 5.0F);
 }
 
+TEST(Models, AvoidanceIsStrictIfTold) {
+  EXPECT_FALSE(swarm_of_text(insects("")).avoidance.strict);
+  EXPECT_TRUE(swarm_of_text(insects("    avoidance: {strict: on}\n")).avoidance.strict);
+}
+
 TEST(Models, OrcaFliesWithoutNoise) {
   const Scenario scenario = loaded(test::changed("goal: exit", "goal: exit\n    model: orca"));
   EXPECT_EQ(scenario.swarms.at(0).noise.kind, NoiseKind::kNone);
