@@ -191,9 +191,16 @@ MF_FN F mf_sqrt(F a) {
   return root;
 }
 MF_FN int mf_any(I mask) {
+#ifdef __AVX__
+  // Searches ask for each neighbour: one instruction instead of eight.
+  typedef long long Quad __attribute__((vector_size(32)));
+  const Quad bits = reinterpret_cast<Quad>(mask);
+  return __builtin_ia32_ptestz256(bits, bits) == 0;
+#else
   long long part[MF_LANES / 2];
   std::memcpy(part, &mask, sizeof part);
   return (part[0] | part[1] | part[2] | part[3]) != 0;
+#endif
 }
 MF_FN int mf_all(I mask) {
   return !mf_any(~mask);

@@ -53,23 +53,13 @@ MF_FN void mf_add_far(MfZoneSums* sums, const MfZoneSearch* search, const MfNeig
   sums->att_count += count;
 }
 
-// The middle zone's part of one neighbour, j.
-MF_FN void mf_add_aligned(MfZoneSums* sums, const MfZoneSearch* search, const MfNeighbours* n, int j,
-                          I in_ali) {
-  if (!mf_any(in_ali)) return;
-  const F3 faster = mf3_sub(mf3_splat(n->vx[j], n->vy[j], n->vz[j]), search->v);
-  const F squared = mf3_dot(faster, faster);
-  sums->ali = mf3_add(sums->ali, mf3_scale(faster, mf_kept(in_ali, mf_quick_inverse(squared))));
-  sums->ali_count -= in_ali;
-}
-
 // Neighbours that may be in any zone. `aligning` and `attracting` are literals at each call: whether those
 // zones count.
 MF_FN void mf_add_near(MfZoneSums* sums, const MfZoneSearch* search, const MfNeighbours* n, int first,
                        int past, int aligning, int attracting) {
   const F rep_squared = search->rep_squared, ali_squared = search->ali_squared;
-  F3 rep = mf_zero3(), att = mf_zero3();
-  I rep_count = mf_isplat(0), att_count = mf_isplat(0);
+  F3 rep = mf_zero3(), ali = mf_zero3(), att = mf_zero3();
+  I rep_count = mf_isplat(0), ali_count = mf_isplat(0), att_count = mf_isplat(0);
   for (int j = first; j < past; ++j) {
     const F3 line = mf3_sub(mf3_splat(n->x[j], n->y[j], n->z[j]), search->r);
     const F squared = mf3_dot(line, line);
@@ -83,11 +73,19 @@ MF_FN void mf_add_near(MfZoneSums* sums, const MfZoneSearch* search, const MfNei
       att = mf3_add(att, mf3_scale(line, mf_kept(in_att, inverse)));
       att_count -= in_att;
     }
-    if (aligning) mf_add_aligned(sums, search, n, j, (squared >= rep_squared) & ~beyond);
+    if (aligning) {
+      const F3 faster = mf3_sub(mf3_splat(n->vx[j], n->vy[j], n->vz[j]), search->v);
+      const I in_ali = ~(in_rep | beyond);
+      const F per_speed = mf_quick_inverse(mf3_dot(faster, faster));
+      ali = mf3_add(ali, mf3_scale(faster, mf_kept(in_ali, per_speed)));
+      ali_count -= in_ali;
+    }
   }
   sums->rep = mf3_add(sums->rep, rep);
+  sums->ali = mf3_add(sums->ali, ali);
   sums->att = mf3_add(sums->att, att);
   sums->rep_count += rep_count;
+  sums->ali_count += ali_count;
   sums->att_count += att_count;
 }
 

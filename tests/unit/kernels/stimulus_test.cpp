@@ -112,7 +112,7 @@ TEST(Encounters, HaveAnglesOfTheirOwn) {
     }
   }
   for (const int bin : bins) {
-    EXPECT_NEAR(bin, kAgents / 10, 120);
+    EXPECT_NEAR(bin, 0.1 * kAgents, 120);
   }
   EXPECT_GT(seen.size(), kAgents - 20U);
   EXPECT_NE(angles(99, 0, 1), angles(99, 0, 2));
