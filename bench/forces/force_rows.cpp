@@ -101,6 +101,25 @@ Result<void> add_rows(const ForcesPlan& plan, const Crowd& crowd, const Wanted& 
   return {};
 }
 
+// Boids with about 29 others in range; beside them all pairs would take minutes.
+Result<void> add_boids(const ForcesPlan& plan, Report& report) {
+  const std::size_t agents = plan.at_most(100'000);
+  const float side = std::cbrt(static_cast<float>(agents) / 6.92F);  // m: 29 in a ball of 1 m
+  Crowd crowd = make_crowd(Motor::kBoids, strewn_in_box(agents, glm::vec3(side)), 2.0F);
+  crowd.swarms.front().boids = {1.0F, 1.0F, 1.0F, 0.6F, 1.0F, 1.0F, 2.0F};
+  const auto engine = make_native_engine(plan.threads);
+  const auto ticks = time_ticks(*engine, crowd.flock(), plan.ticks);
+  if (!ticks) {
+    return fail(ticks.error());
+  }
+  report.rows.push_back({.key = "boids_100000",
+                         .what = std::to_string(agents) + " Boids, 29 in range, an agent",
+                         .value = 1e9 * ticks->seconds / static_cast<double>(agents),
+                         .unit = "ns",
+                         .wanted = 300.0});
+  return {};
+}
+
 }  // namespace
 
 Result<void> measure_force_rows(const ForcesPlan& plan, Report& report) {
@@ -115,7 +134,8 @@ Result<void> measure_force_rows(const ForcesPlan& plan, Report& report) {
       .and_then([&] {
         return add_rows(plan, many, {"locusts_200000", "locusts, far ones summed by cells", 3.0, 0.01},
                         report);
-      });
+      })
+      .and_then([&] { return add_boids(plan, report); });
 }
 
 }  // namespace mayfly::bench
