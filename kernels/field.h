@@ -199,7 +199,8 @@ MF_FN F3 mf_going(F3 v, I lost) {
 
 // Agents whose place is no number are not there, and get no velocity.
 MF_FN F3 mf_of_present(F3 r, F3 v) {
-  const I here = (r.x == r.x) & (r.y == r.y) & (r.z == r.z);
+  const F place = r.x + r.y + r.z;
+  const I here = (place < mf_splat(0.0f)) | (place >= mf_splat(0.0f));
   return mf3_select(here, v, mf3_splat(0.0f, 0.0f, 0.0f));
 }
 
