@@ -50,7 +50,7 @@ FieldKeeper::FieldKeeper(const Scenario& scenario, FieldSolver& solver, Settings
   std::size_t agents = 0;
   for (const SwarmSpec& swarm : scenario.swarms) {
     agents += static_cast<std::size_t>(swarm.count);
-    goal_of_.push_back(goal_index(scenario, swarm));
+    goal_of_.push_back(swarm.is_guided() ? goal_index(scenario, swarm) : scenario.world.goals.size());
     unreachable_text_.push_back("goal '" + swarm.goal + "' cannot be reached by all of swarm '" + swarm.name +
                                 "': those that it is cut off from hold until it can");
   }
@@ -94,8 +94,10 @@ void FieldKeeper::tick(double time_s, const PositionColumns& at, const Motion& m
     }
   }
   for (std::size_t s = 0; s < goal_of_.size(); ++s) {
-    if (const auto& path = scenario_.world.goals[goal_of_[s]].path) {
-      engine.replace_fields(s, {{}, {}, motion.goal(goal_of_[s]), path->velocity(time_s)});
+    const std::size_t goal = goal_of_[s];
+    if (goal < scenario_.world.goals.size() && scenario_.world.goals[goal].path) {
+      const glm::vec3 velocity = scenario_.world.goals[goal].path->velocity(time_s);
+      engine.replace_fields(s, {{}, {}, motion.goal(goal), velocity});
     }
   }
   ages_.record(from_seconds(time_s - flown_time_s_));
@@ -114,8 +116,12 @@ void FieldKeeper::take_over(Engine& engine) noexcept {
   const FieldSet& set = sets_[flown_];
   flown_time_s_ = set.time_s;
   for (std::size_t s = 0; s < goal_of_.size(); ++s) {
-    if (const std::size_t cost = solver_.cost_of(s); cost != FieldSolver::kNone) {
-      engine.replace_fields(s, {set.walls, set.costs[cost].guide, glm::vec3(0.0F), glm::vec3(0.0F)});
+    // Whoever is not led minds walls all the same.
+    const std::size_t cost = solver_.cost_of(s);
+    const bool is_led = cost != FieldSolver::kNone;
+    if (is_led || solver_.walls_change()) {
+      const std::span<const float> guide = is_led ? set.costs[cost].guide : std::span<const float>();
+      engine.replace_fields(s, {set.walls, guide, glm::vec3(0.0F), glm::vec3(0.0F)});
     }
   }
   ++updates_;

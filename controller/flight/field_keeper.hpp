@@ -76,7 +76,7 @@ class FieldKeeper {
   double flown_time_s_ = 0.0;
   bool failed_ = false;  // the last set could not be solved
   std::atomic<bool> solved_{true};
-  std::vector<std::size_t> goal_of_;           // one a swarm
+  std::vector<std::size_t> goal_of_;           // one a swarm; how many goals there are, where it is not led
   std::vector<std::string> unreachable_text_;  // one a swarm
   LatencyHistogram ages_, solves_;
   std::uint64_t updates_ = 0;

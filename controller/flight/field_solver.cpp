@@ -84,7 +84,7 @@ Result<void> FieldSolver::add_costs() {
     while (same < s && !share_cost(scenario_, swarms[same], swarms[s])) {
       ++same;
     }
-    if (same < s || !changes_in_flight(scenario_, swarms[s])) {
+    if (same < s || !swarms[s].is_guided() || !changes_in_flight(scenario_, swarms[s])) {
       cost_of_.push_back(same < s ? cost_of_[same] : kNone);
       continue;
     }

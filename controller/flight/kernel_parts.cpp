@@ -28,6 +28,9 @@ bool is_for(const std::string& named, const SwarmSpec& swarm) {
 
 std::vector<kernels::MfPull> pulls_of(const Scenario& scenario, const SwarmSpec& swarm) {
   std::vector<kernels::MfPull> pulls;
+  if (!swarm.is_guided()) {
+    return pulls;
+  }
   for (const LampSpec& lamp : scenario.lamps) {
     if (is_for(lamp.swarm, swarm)) {
       const glm::vec3 at = lamp.position;

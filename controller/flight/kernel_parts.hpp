@@ -14,7 +14,7 @@ namespace mayfly {
 // the same octaves would be.
 kernels::MfNoise kernel_noise(const NoiseSpec& spec, std::uint32_t seed);
 
-// The lamps, and then the potential brushes, that are meant for `swarm`.
+// The lamps, and then the potential brushes, that are meant for `swarm`: none, where no field leads it.
 void add_pulls(const Scenario& scenario, const SwarmSpec& swarm, kernels::MfField& field);
 
 // A swarm follows no more than MF_MAX_PULLS of them: an error for each that has more.

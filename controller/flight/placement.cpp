@@ -64,7 +64,7 @@ Result<void> place_swarm(const Scenario& scenario, const World& world, std::uint
       }
       if (distance_at_start(world, p) < swarm.radius) {
         ++refusals.obstacle;
-      } else if (!world.costs[index]->reaches(p)) {
+      } else if (world.costs[index] && !world.costs[index]->reaches(p)) {
         ++refusals.unreachable;
       } else if (!taken.is_free(p, half_separation)) {
         ++refusals.crowded;

@@ -34,7 +34,7 @@ bool share_cost(const Scenario& scenario, const SwarmSpec& a, const SwarmSpec& b
     return std::tuple(swarm.goal, params.length_weight, params.repulsion_weight, params.influence,
                       params.clearance, swarm.cost.density_weight);
   };
-  return identity(a) == identity(b) &&
+  return a.is_guided() && b.is_guided() && identity(a) == identity(b) &&
          std::all_of(
              scenario.world.brushes.begin(), scenario.world.brushes.end(),
              [&](const BrushSpec& brush) { return is_painted_for(brush, a) == is_painted_for(brush, b); });
@@ -49,10 +49,10 @@ std::size_t goal_index(const Scenario& scenario, const SwarmSpec& swarm) {
 
 bool changes_in_flight(const Scenario& scenario, const SwarmSpec& swarm) {
   const auto& obstacles = scenario.world.obstacles;
-  return swarm.cost.density_weight > 0.0F ||
-         scenario.world.goals[goal_index(scenario, swarm)].path.has_value() ||
-         std::any_of(obstacles.begin(), obstacles.end(),
-                     [](const ObstacleSpec& obstacle) { return obstacle.path.has_value(); });
+  const bool guide_changes = swarm.is_guided() && (swarm.cost.density_weight > 0.0F ||
+                                                   scenario.world.goals[goal_index(scenario, swarm)].path);
+  return guide_changes || std::any_of(obstacles.begin(), obstacles.end(),
+                                      [](const ObstacleSpec& obstacle) { return obstacle.path.has_value(); });
 }
 
 }  // namespace mayfly

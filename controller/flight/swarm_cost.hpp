@@ -16,10 +16,10 @@ fields::CostParams cost_params(const SwarmSpec& swarm);
 // The brushes that change what ways cost it, in the scenario's order.
 std::vector<fields::CostBrush> cost_brushes(const Scenario& scenario, const SwarmSpec& swarm);
 
-// Swarms with the same answer fly by the same cost field.
+// Those who do fly by the same cost field.
 bool share_cost(const Scenario& scenario, const SwarmSpec& a, const SwarmSpec& b);
 
-// Of the scenario's goals, the one the swarm flies to.
+// Of the scenario's goals, the one the swarm flies to; how many there are, for one without a goal.
 std::size_t goal_index(const Scenario& scenario, const SwarmSpec& swarm);
 
 // Whether its fields have to be solved again in flight: its goal or an obstacle moves, or density counts.

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "controller/flight/kernel_parts.hpp"
+#include "controller/flight/motor_models.hpp"
 #include "controller/flight/rest_places.hpp"
 #include "controller/flight/scatter.hpp"
 
@@ -47,27 +48,30 @@ float noise_speed_squared(const NoiseSpec& noise) {
 
 // By how much two robots may come nearer than the points that are steered, m. One that lags by τ trails its
 // point: two by up to τ times their relative velocity. Of two that accelerate no faster than a, each needs
-// v²/2a to stop before the other. The cruise speed stands for velocities, with the noise's where they turn.
+// v²/2a to stop before the other. The typical speed stands for velocities, with the noise's where they turn.
 float trailing_margin(const Scenario& scenario, const SwarmSpec& swarm, bool in_real_time) {
   const auto hal = hal_of(scenario, swarm);
   const bool turns_slowly = swarm.governor || (hal && hal->sim.plant == PlantKind::kDoubleIntegrator);
-  const float speed_squared = swarm.cruise_speed * swarm.cruise_speed + noise_speed_squared(swarm.noise);
+  const float speed = typical_speed(swarm);
+  const float noise = swarm.is_guided() ? noise_speed_squared(swarm.noise) : 0.0F;
+  const float speed_squared = speed * speed + noise;
   const float to_turn = turns_slowly ? speed_squared / swarm.limits.acceleration : 0.0F;
   const float latency = in_real_time ? realtime_latency(scenario, swarm) : 0.0F;
-  return std::max((response_time(scenario, swarm) + latency) * swarm.cruise_speed, to_turn);
+  return std::max((response_time(scenario, swarm) + latency) * speed, to_turn);
 }
 
-// What MDE keeps, so that `separation` comes of it. Positions lie some hundred metres from the origin, and
-// rounding there must not eat the distance.
-float enforced_distance(const Scenario& scenario, const SwarmSpec& swarm, bool in_real_time) {
-  if (swarm.limits.separation <= 0.0F) {
-    return 0.0F;
-  }
+// Positions lie some hundred metres from the origin, and rounding there must not eat a distance.
+float margin_of(const Scenario& scenario, const SwarmSpec& swarm, bool in_real_time) {
   const Box& b = scenario.world.bounds;
   const float farthest = std::max({std::fabs(b.min.x), std::fabs(b.min.y), std::fabs(b.min.z),
                                    std::fabs(b.max.x), std::fabs(b.max.y), std::fabs(b.max.z)});
   const float rounding = 8.0F * (std::nextafter(farthest, INFINITY) - farthest);
-  return swarm.limits.separation * kSweepMargin + rounding + trailing_margin(scenario, swarm, in_real_time);
+  return rounding + trailing_margin(scenario, swarm, in_real_time);
+}
+
+// What MDE keeps, so that `separation` comes of it.
+float enforced_distance(const SwarmSpec& swarm, float margin) {
+  return swarm.limits.separation > 0.0F ? swarm.limits.separation * kSweepMargin + margin : 0.0F;
 }
 
 // The deepest place of the goal, m from its surface: the guide holds minus the depth there.
@@ -86,7 +90,7 @@ kernels::MfFence fence_of(const Scenario& scenario, const SwarmSpec& swarm) {
   kernels::MfFence fence{};
   const auto goal = std::find_if(scenario.world.goals.begin(), scenario.world.goals.end(),
                                  [&](const GoalSpec& spec) { return spec.name == swarm.goal; });
-  if (swarm.at_goal == AtGoal::kRest || goal == scenario.world.goals.end()) {
+  if (!swarm.is_guided() || swarm.at_goal == AtGoal::kRest || goal == scenario.world.goals.end()) {
     return fence;
   }
   glm::vec3 center{0.0F};
@@ -155,8 +159,9 @@ float approach_rate(const Scenario& scenario) {
 }
 
 float wall_reach(const Scenario& scenario, const SwarmSpec& swarm, float cell) {
-  return std::max(swarm.boundary.value_or(cell) + cell,
-                  swarm.radius + swarm.limits.speed / approach_rate(scenario));
+  const float slowing =
+      std::max(1.0F / approach_rate(scenario), swarm.avoidance.on ? swarm.avoidance.wall_horizon : 0.0F);
+  return std::max(swarm.boundary.value_or(cell) + cell, swarm.radius + swarm.limits.speed * slowing);
 }
 
 float response_time(const Scenario& scenario, const SwarmSpec& swarm) {
@@ -176,8 +181,8 @@ SwarmModels make_swarm_models(const Scenario& scenario, const World& world, bool
   std::size_t first = 0;
   for (std::uint32_t s = 0; s < scenario.swarms.size(); ++s) {
     const SwarmSpec& spec = scenario.swarms[s];
-    const fields::CostField& cost = *world.costs[s];
-    models.rest.push_back(rest_columns(scenario, world, s));
+    const fields::CostField* cost = world.costs[s].get();
+    models.rest.push_back(cost ? rest_columns(scenario, world, s) : SwarmModels::Places{});
     const auto start = SteadyClock::now();
     const kernels::MfNoise noise =
         kernel_noise(spec.noise, draw_words({scenario.seed, kNoiseStream, s, 0, 0})[0]);
@@ -185,10 +190,13 @@ SwarmModels make_swarm_models(const Scenario& scenario, const World& world, bool
     SwarmModel model;
     model.first = first;
     model.count = static_cast<std::size_t>(spec.count);
-    model.field = kernel_field(scenario, spec, world, goal_depth(cost), noise);
+    model.field = kernel_field(scenario, spec, world, cost ? goal_depth(*cost) : 0.0F, noise);
     model.walls = world.walls;
-    model.guide = cost.guide;
-    model.separation = enforced_distance(scenario, spec, in_real_time);
+    model.guide = cost ? std::span<const float>(cost->guide) : std::span<const float>();
+    const float margin = margin_of(scenario, spec, in_real_time);
+    set_motor(scenario, spec, model);
+    model.avoidance = kernel_avoidance(spec, margin, model.field.most_speed);
+    model.separation = enforced_distance(spec, margin);
     model.mde_sweeps = spec.mde_sweeps;
     models.swarms.push_back(model);
     first += model.count;

@@ -28,7 +28,8 @@ struct World {
   // Spline coefficients of the distance, for the kernels; of all obstacles, as the flight begins.
   std::vector<float> walls;
   std::vector<fields::Geometry> goals;  // exact, one a goal of the scenario, in its order
-  // One a swarm, in the scenario's order; swarms with the same goal and weights share one.
+  // One a swarm, in the scenario's order; swarms with the same goal and weights share one. Null for those
+  // that no field leads.
   std::vector<std::shared_ptr<const fields::CostField>> costs;
   // Solves again what changes in flight; null where nothing does.
   std::shared_ptr<FieldSolver> solver;

@@ -21,6 +21,10 @@ std::vector<Error> WorldCosts::add_to(World& world) {
     }
   }
   for (std::size_t s = 0; s < swarms.size(); ++s) {
+    if (!swarms[s].is_guided()) {
+      world.costs.push_back(nullptr);
+      continue;
+    }
     std::size_t same = 0;
     while (same < s && !share_cost(scenario_, swarms[same], swarms[s])) {
       ++same;
