@@ -33,6 +33,12 @@ void add_motion(Out out, const Summary& s) {
   if (s.mde_percent) {
     line(out, "moved by MDE", fmt::format("{:.3g} % of the agents a tick", *s.mde_percent));
   }
+  if (s.infeasible_agents) {
+    line(
+        out, "avoidance",
+        fmt::format("{} agent-ticks without a velocity clear of everybody{}", *s.infeasible_agents,
+                    s.all_infeasible_s ? fmt::format("; every agent at {:.4g} s", *s.all_infeasible_s) : ""));
+  }
   line(out, "at most",
        fmt::format("{}, {}", or_dash("{:.3g} m/s", s.max_speed_mps),
                    or_dash("{:.3g} m/s²", s.max_acceleration_mps2)));

@@ -62,7 +62,7 @@ void CsvText::append_row(const TickView& view, std::string_view prefix, std::siz
     append_number(column[agent]);
   }
   append(",");
-  append(name_of(view.kind[agent]));
+  append(view.is_there(agent) ? name_of(view.kind[agent]) : "absent");
   append(view.valid[agent] != 0 ? ",1\n" : ",0\n");
 }
 

@@ -20,6 +20,7 @@ FrameRing::FrameRing(std::size_t frames, std::size_t agents) : frames_(frames) {
     frame.numbers_.resize(kColumns * agents);
     frame.kinds_.resize(agents);
     frame.valid_.resize(agents);
+    frame.present_.resize(agents);
     for (std::size_t column = 0; column < kColumns; ++column) {
       frame.view.*kFloatColumns[column] = std::span(frame.numbers_).subspan(column * agents, agents);
     }
@@ -41,6 +42,8 @@ bool FrameRing::push(const TickView& view) noexcept {
   }
   std::copy(view.kind.begin(), view.kind.end(), frame.kinds_.begin());
   std::copy(view.valid.begin(), view.valid.end(), frame.valid_.begin());
+  std::copy(view.present.begin(), view.present.end(), frame.present_.begin());
+  frame.view.present = std::span(frame.present_).first(view.present.size());
   frame.view.tick = view.tick;
   frame.view.time = view.time;
   frame.lost_before = lost_;

@@ -22,7 +22,7 @@ class FrameRing {
     friend class FrameRing;
     std::vector<float> numbers_;
     std::vector<CommandKind> kinds_;
-    std::vector<std::uint8_t> valid_;
+    std::vector<std::uint8_t> valid_, present_;
   };
 
   FrameRing(std::size_t frames, std::size_t agents);

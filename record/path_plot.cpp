@@ -19,7 +19,7 @@ void draw_panel(Canvas& canvas, const Panel& panel, const Scenario& scenario,
   for (const GoalSpec& goal : scenario.world.goals) {
     draw_region(canvas, panel, goal.shape, {kGoal, 2.4});
   }
-  draw_motion(canvas, panel, scenario.world);
+  draw_motion(canvas, panel, scenario);
   canvas.unclip();
   draw_axes(canvas, panel);
 }

@@ -1,9 +1,15 @@
 #include "record/path_sampler.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <numeric>
 
 namespace mayfly::record {
+namespace {
+
+constexpr glm::vec3 kNowhere(std::numeric_limits<float>::quiet_NaN());
+
+}  // namespace
 
 PathSampler::PathSampler(std::size_t agents)
     : agents_(agents),
@@ -34,7 +40,7 @@ void PathSampler::store(std::size_t slot, const TickView& view) noexcept {
   glm::vec3* to = positions_.data() + slot * paths_;
   for (std::size_t path = 0; path < paths_; ++path) {
     const std::size_t agent = agent_of(path);
-    to[path] = {view.x[agent], view.y[agent], view.z[agent]};
+    to[path] = view.is_there(agent) ? glm::vec3(view.x[agent], view.y[agent], view.z[agent]) : kNowhere;
   }
 }
 

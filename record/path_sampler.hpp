@@ -26,7 +26,7 @@ class PathSampler final : public Observer {
 
   struct Row {
     double time_s = 0.0;
-    std::span<const glm::vec3> positions;  // m, one a path
+    std::span<const glm::vec3> positions;  // m, one a path; NaN where the agent is not there
   };
   // In order of time; the last tick is always there. Spans are valid until the next tick.
   std::vector<Row> rows() const;

@@ -83,6 +83,11 @@ void draw_keys(Canvas& canvas, const Rectangle& bar, double y) {
 
 void draw_header(Canvas& canvas, const Rectangle& area, const Summary& s, double end_s) {
   canvas.text({area.x, area.y + 28.0}, s.scenario, {34.0, kInk, true});
+  if (s.all_infeasible_s) {
+    const double behind = area.x + canvas.text_width(s.scenario, {34.0, kInk, true}) + 28.0;
+    canvas.text({behind, area.y + 28.0}, formatted("every agent infeasible at %.4g s", *s.all_infeasible_s),
+                {17.0, kBad, true});
+  }
   const std::string what = grouped(s.agents) + (s.agents == 1 ? " agent" : " agents") + "   ·   seed " +
                            std::to_string(s.seed) + "   ·   " + s.engine + " engine   ·   HAL " + s.hal +
                            "   ·   " + formatted("%.4g s flown", s.simulated_s);

@@ -7,7 +7,7 @@
 
 namespace mayfly::record {
 
-// Dashed lines along which the middles of goals and obstacles move.
-void draw_motion(Canvas& canvas, const Panel& panel, const WorldSpec& world);
+// Dashed lines along which the middles of goals and obstacles move, and stimuli; these where they start.
+void draw_motion(Canvas& canvas, const Panel& panel, const Scenario& scenario);
 
 }  // namespace mayfly::record

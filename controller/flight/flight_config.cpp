@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "controller/flight/motion_questions.hpp"
 #include "controller/flight/swarm_cost.hpp"
 #include "controller/flight/swarm_models.hpp"
 
@@ -20,41 +21,6 @@ ObstacleView obstacle_view(const World& world, const Motion& motion) {
   }
   view.moving = moving_obstacles(world.moving, motion);
   return view;
-}
-
-// What an expectation asks of a swarm's motion; one of another kind where it asks nothing.
-MotionQuestion motion_question(const Expectation& expectation, const Scenario& scenario, const World& world,
-                               const Motion& motion) {
-  using Quantity = Expectation::Quantity;
-  using Kind = MotionQuestion::Kind;
-  MotionQuestion question;
-  std::size_t first = 0;
-  std::size_t goal = 0;
-  for (const SwarmSpec& swarm : scenario.swarms) {
-    if (swarm.name == expectation.swarm) {
-      question.first = first;
-      question.count = static_cast<std::size_t>(swarm.count);
-      goal = goal_index(scenario, swarm);
-    }
-    first += static_cast<std::size_t>(swarm.count);
-  }
-  for (std::size_t g = 0; g < scenario.world.goals.size(); ++g) {
-    goal = scenario.world.goals[g].name == expectation.goal ? g : goal;
-  }
-  if (expectation.quantity == Quantity::kCentreDrift) {
-    question.kind = Kind::kCentreDrift;
-  } else if (expectation.quantity == Quantity::kSpread) {
-    question.kind = Kind::kSpread;
-  } else if (expectation.quantity == Quantity::kTurns) {
-    question.kind = Kind::kTurns;
-    question.place = [axis = glm::dvec3(expectation.around.value_or(glm::vec3(0.0F)))] { return axis; };
-  } else if (expectation.quantity == Quantity::kGoalDistance) {
-    question.kind = Kind::kDistance;
-    const Box box = world.goals[goal].bounds().value_or(Box{});
-    const glm::dvec3 middle = 0.5 * (glm::dvec3(box.min) + glm::dvec3(box.max));
-    question.place = [middle, &moved = motion.goal(goal)] { return middle + glm::dvec3(moved); };
-  }
-  return question;
 }
 
 }  // namespace
@@ -90,7 +56,7 @@ MetricsConfig metrics_config(const Scenario& scenario, const World& world, const
   for (const SwarmSpec& swarm : scenario.swarms) {
     const auto count = static_cast<std::size_t>(swarm.count);
     config.radii.insert(config.radii.end(), count, swarm.radius);
-    config.swarms.push_back({first, count});
+    config.swarms.push_back({first, count, !swarm.goal.empty()});
     goal_of.push_back(goal_index(scenario, swarm));
     first += count;
   }
@@ -100,8 +66,8 @@ MetricsConfig metrics_config(const Scenario& scenario, const World& world, const
   };
   config.obstacles = obstacle_view(world, motion);
   config.ticks = static_cast<std::uint64_t>(scenario.duration * static_cast<double>(scenario.control.rate));
+  config.motions = motion_questions(scenario, world, motion);
   for (const Expectation& expectation : scenario.expect) {
-    config.motions.push_back(motion_question(expectation, scenario, world, motion));
     config.wall_clearance =
         config.wall_clearance || expectation.quantity == Expectation::Quantity::kWallClearance;
   }

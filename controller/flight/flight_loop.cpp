@@ -15,6 +15,15 @@ constexpr float kStandingStill = 0.05F;  // m/s
 // after the last.
 constexpr int kCommandPeriods = 5;
 
+std::vector<std::uint8_t> who_avoids(const Scenario& scenario) {
+  std::vector<std::uint8_t> avoids;
+  for (const SwarmSpec& swarm : scenario.swarms) {
+    avoids.insert(avoids.end(), static_cast<std::size_t>(swarm.count), swarm.avoidance.on ? 1 : 0);
+  }
+  const bool any = std::find(avoids.begin(), avoids.end(), 1) != avoids.end();
+  return any ? avoids : std::vector<std::uint8_t>();
+}
+
 std::vector<float> lead_times(const Scenario& scenario) {
   std::vector<float> lead;
   for (const SwarmSpec& swarm : scenario.swarms) {
@@ -36,7 +45,11 @@ FlightLoop::FlightLoop(const FlightParts& parts, Motion& motion, FieldKeeper* ke
       metrics_(std::move(metrics)),
       estimate_(agents_),
       truth_(agents_),
+      roster_(parts.scenario),
+      stimuli_(parts.scenario),
       lead_(lead_times(parts.scenario)),
+      avoids_(who_avoids(parts.scenario)),
+      there_(roster_.changes() ? agents_ : 0),
       ahead_(agents_),
       desired_(agents_),
       command_(agents_),
@@ -50,6 +63,8 @@ void FlightLoop::tick() noexcept {
     began_ = now;
   }
   motion_.set_time(seconds_flown(now));
+  roster_.set_time(seconds_flown(now));
+  stimuli_.move(seconds_flown(now), parts_.engine);
   asked_to_stop_ = stop_level();
   note(hal_source_, now, parts_.hal.read(now, estimate_.inbox()));
   note_liar(now, estimate_.update());
@@ -82,14 +97,22 @@ void FlightLoop::observe_truth() noexcept {
     static_cast<void>(truth_.update());
   }
   const Estimate& at = seen();
-  metrics_.observe({at.x, at.y, at.z, at.vx, at.vy, at.vz});
+  metrics_.observe({at.x, at.y, at.z, at.vx, at.vy, at.vz, roster_.present()});
 }
 
 void FlightLoop::renew_fields(Time now) noexcept {
   if (keeper_ == nullptr) {
     return;
   }
-  keeper_->tick(seconds_flown(now), {estimate_.x, estimate_.y, estimate_.z}, motion_, parts_.engine);
+  PositionColumns at{estimate_.x, estimate_.y, estimate_.z};
+  if (roster_.changes()) {
+    std::copy(at.x.begin(), at.x.end(), there_.x.begin());
+    std::copy(at.y.begin(), at.y.end(), there_.y.begin());
+    std::copy(at.z.begin(), at.z.end(), there_.z.begin());
+    leave_out_absent(there_);
+    at = {there_.x, there_.y, there_.z};
+  }
+  keeper_->tick(seconds_flown(now), at, motion_, parts_.engine);
   note(solver_source_, now, keeper_->solver_state());
   for (std::size_t s = 0; s < goal_sources_.size(); ++s) {
     const std::uint64_t before = faults_.count();
@@ -110,13 +133,37 @@ void FlightLoop::look_ahead() noexcept {
   }
 }
 
+// Who is not there has no place, and nobody minds it.
+void FlightLoop::leave_out_absent(Columns3& places) const noexcept {
+  constexpr float kNowhere = std::numeric_limits<float>::quiet_NaN();
+  for (std::size_t a = 0; a < agents_ && roster_.changes(); ++a) {
+    if (!roster_.is_there(a)) {
+      places.x[a] = places.y[a] = places.z[a] = kNowhere;
+    }
+  }
+}
+
+void FlightLoop::count_infeasible(Time now, std::size_t infeasible) noexcept {
+  std::size_t avoiding = 0;
+  for (std::size_t a = 0; a < avoids_.size(); ++a) {
+    avoiding += avoids_[a] != 0 && std::isfinite(ahead_.x[a]) ? 1U : 0U;
+  }
+  infeasible_ += infeasible;
+  avoiding_ += avoiding;
+  if (avoiding > 0 && infeasible >= avoiding && !all_infeasible_s_) {
+    all_infeasible_s_ = seconds_flown(now);
+    note(avoidance_source_, now, {HalFault::kLinkDown, kEveryRobot, "avoidance", "every agent infeasible"});
+  }
+}
+
 void FlightLoop::decide(Time now) noexcept {
   look_ahead();
   const TickTime tick{ticks_, seconds_flown(now), static_cast<float>(to_seconds(period_))};
+  leave_out_absent(ahead_);
   const TickCounts counts = parts_.engine.compute(
       {ahead_.x, ahead_.y, ahead_.z, command_.x, command_.y, command_.z}, tick, desired_.writable());
   moved_ += counts.moved;
-  infeasible_ += counts.infeasible;
+  count_infeasible(now, counts.infeasible);
   const std::string_view fault = parts_.engine.fault();
   note(engine_source_, now,
        {fault.empty() ? HalFault::kNone : HalFault::kLinkDown, kEveryRobot, parts_.engine.name(), fault});
@@ -124,6 +171,9 @@ void FlightLoop::decide(Time now) noexcept {
                    {estimate_.x, estimate_.y, estimate_.z, estimate_.vx, estimate_.vy, estimate_.vz,
                     estimate_.stamp, estimate_.valid},
                    {desired_.x, desired_.y, desired_.z}, {kind_, command_.x, command_.y, command_.z});
+  for (std::size_t a = 0; a < agents_ && roster_.changes(); ++a) {
+    kind_[a] = roster_.is_there(a) ? kind_[a] : CommandKind::kHold;
+  }
   if (asked_to_stop_ > 0) {
     std::fill(kind_.begin(), kind_.end(), asked_to_stop_ > 1 ? CommandKind::kStop : CommandKind::kHold);
   }
@@ -137,8 +187,9 @@ void FlightLoop::write(Time now) noexcept {
 
 void FlightLoop::show(Time now) noexcept {
   const Estimate& at = seen();
-  const TickView view{ticks_, now - began_, at.x,       at.y,       at.z,  at.vx,          at.vy,
-                      at.vz,  command_.x,   command_.y, command_.z, kind_, estimate_.fresh};
+  const TickView view{
+      ticks_, now - began_, at.x,       at.y,       at.z,  at.vx,           at.vy,
+      at.vz,  command_.x,   command_.y, command_.z, kind_, estimate_.fresh, roster_.present()};
   for (Observer* observer : parts_.observers) {
     observer->on_tick(view);
   }

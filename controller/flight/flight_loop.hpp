@@ -4,6 +4,7 @@
 #include <atomic>
 #include <chrono>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "controller/executor/executor.hpp"
@@ -12,6 +13,8 @@
 #include "controller/flight/field_keeper.hpp"
 #include "controller/flight/flight.hpp"
 #include "controller/flight/motion.hpp"
+#include "controller/flight/roster.hpp"
+#include "controller/flight/stimuli.hpp"
 #include "controller/governor/governor.hpp"
 #include "controller/metrics/metrics.hpp"
 
@@ -45,6 +48,8 @@ class FlightLoop {
   void note(FaultLog::Source& source, Time now, const HalResult& result) noexcept;
   void note_liar(Time now, std::optional<RobotIndex> liar) noexcept;
   void observe_truth() noexcept;
+  void leave_out_absent(Columns3& places) const noexcept;
+  void count_infeasible(Time now, std::size_t infeasible) noexcept;
   void renew_fields(Time now) noexcept;
   void look_ahead() noexcept;
   void decide(Time now) noexcept;
@@ -61,18 +66,25 @@ class FlightLoop {
   Metrics metrics_;
   Estimate estimate_;
   Estimate truth_;
-  std::vector<float> lead_;  // s, one an agent
+  Roster roster_;
+  MovingStimuli stimuli_;
+  std::vector<float> lead_;           // s, one an agent
+  std::vector<std::uint8_t> avoids_;  // one an agent: whether it avoids collisions; empty: nobody does
+  Columns3 there_;                    // m; of the swarm as it is known, without those who are not there
   Columns3 ahead_;
   Columns3 desired_;
   Columns3 command_;
   std::vector<CommandKind> kind_;
   FaultLog faults_;
-  FaultLog::Source hal_source_, state_source_, write_source_, engine_source_, solver_source_;
+  FaultLog::Source hal_source_, state_source_, write_source_, engine_source_, solver_source_,
+      avoidance_source_;
   std::vector<FaultLog::Source> goal_sources_;  // one a swarm
   std::uint64_t sequence_ = 0;
   std::uint64_t ticks_ = 0;
-  std::uint64_t moved_ = 0;       // agent-ticks in which MDE moved somebody
-  std::uint64_t infeasible_ = 0;  // agent-ticks in which no velocity was clear of everybody
+  std::uint64_t moved_ = 0;                 // agent-ticks in which MDE moved somebody
+  std::uint64_t infeasible_ = 0;            // agent-ticks in which no velocity was clear of everybody
+  std::uint64_t avoiding_ = 0;              // agent-ticks of those who avoid collisions
+  std::optional<double> all_infeasible_s_;  // when nobody had such a velocity first
   Time began_{0};
   Time flown_{0};
   // Read once a tick: a request that comes in its middle must not end the flight before it was written.

@@ -17,12 +17,15 @@ bool has_mde(const Scenario& scenario) {
   });
 }
 
-// What metrics_config() had measured for each expectation.
-std::vector<std::optional<double>> asked_for(const Scenario& scenario, const MetricsResult& measured) {
+// What metrics_config() had measured for each expectation; `infeasible` is a share.
+std::vector<std::optional<double>> asked_for(const Scenario& scenario, const MetricsResult& measured,
+                                             std::optional<double> infeasible) {
   std::vector<std::optional<double>> asked = measured.motions;
   for (std::size_t i = 0; i < scenario.expect.size(); ++i) {
     if (scenario.expect[i].quantity == Expectation::Quantity::kWallClearance) {
       asked[i] = measured.wall_clearance_m;
+    } else if (scenario.expect[i].quantity == Expectation::Quantity::kInfeasible) {
+      asked[i] = infeasible;
     }
   }
   return asked;
@@ -48,6 +51,12 @@ Summary FlightLoop::summarise(const Executor& executor, double wall_s) const {
     if (has_mde(scenario)) {
       s.mde_percent = 100.0 * static_cast<double>(moved_) / agent_ticks;
     }
+  }
+  std::optional<double> infeasible;
+  if (!avoids_.empty()) {
+    s.infeasible_agents = infeasible_;
+    s.all_infeasible_s = all_infeasible_s_;
+    infeasible = avoiding_ > 0 ? static_cast<double>(infeasible_) / static_cast<double>(avoiding_) : 0.0;
   }
   const MetricsResult measured = metrics_.result();
   s.reached_fraction = measured.reached_fraction;
@@ -78,7 +87,7 @@ Summary FlightLoop::summarise(const Executor& executor, double wall_s) const {
                                     [&](const SwarmSpec& spec) { return spec.name == name; });
     return measured.reached_fraction_of[static_cast<std::size_t>(swarm - scenario.swarms.begin())];
   };
-  s.expect = hold_expectations(scenario.expect, s, reached, asked_for(scenario, measured));
+  s.expect = hold_expectations(scenario.expect, s, reached, asked_for(scenario, measured, infeasible));
   return s;
 }
 

@@ -22,6 +22,7 @@ Motion::Motion(const Scenario& scenario)
 }
 
 void Motion::set_time(double time_s) noexcept {
+  time_s_ = time_s;
   displace(world_.goals, time_s, goals_);
   displace(world_.obstacles, time_s, obstacles_);
 }

@@ -17,6 +17,7 @@ class Motion {
 
   // s since the flight began. Allocates nothing.
   void set_time(double time_s) noexcept;
+  double time_s() const { return time_s_; }
 
   // m, how far from where the scenario gives it: by the index of a goal, or of an obstacle in the scenario's
   // list. At rest where it has no path.
@@ -26,6 +27,7 @@ class Motion {
  private:
   const WorldSpec& world_;
   std::vector<glm::vec3> goals_, obstacles_;
+  double time_s_ = 0.0;
 };
 
 }  // namespace mayfly

@@ -19,6 +19,10 @@ struct TickView {
   std::span<const float> command_x, command_y, command_z;  // what was written to the HAL
   std::span<const CommandKind> kind;
   std::span<const std::uint8_t> valid;  // 0: the estimate rests on an old sample
+  // 0: the agent has not joined yet, or has left; empty: all are there.
+  std::span<const std::uint8_t> present{};
+
+  bool is_there(std::size_t agent) const noexcept { return present.empty() || present[agent] != 0; }
 };
 
 class Observer {

@@ -70,7 +70,9 @@ struct Summary {
   std::optional<std::uint64_t> collisions;
   std::optional<std::uint64_t> penetrations;
   std::optional<double> mde_percent;  // share of agents that MDE moved, mean over frames, in percent
-  std::optional<std::uint64_t> infeasible_agents;
+  std::optional<std::uint64_t> infeasible_agents;  // agent-ticks; empty where nobody avoids collisions
+  // s: when not one agent had a velocity clear of everybody, first; among the faults as well.
+  std::optional<double> all_infeasible_s;
   std::uint64_t governor_interventions = 0;  // agent-ticks
   std::vector<FaultEvent> faults;
   std::optional<double> max_speed_mps;

@@ -11,8 +11,11 @@
 #include <vector>
 
 #include "controller/governor/obstacle_view.hpp"
+#include "controller/metrics/last_seen.hpp"
 #include "controller/metrics/near_pairs.hpp"
+#include "controller/metrics/swarm_encounters.hpp"
 #include "controller/metrics/swarm_motion.hpp"
+#include "controller/metrics/swarm_order.hpp"
 #include "core/clock.hpp"
 
 namespace mayfly {
@@ -20,13 +23,15 @@ namespace mayfly {
 struct MetricsSwarm {
   std::size_t first = 0;
   std::size_t count = 0;
+  bool has_goal = true;
 };
 
 struct MetricsConfig {
   Time period{0};            // between two ticks
   std::vector<float> radii;  // m, one an agent
   std::vector<MetricsSwarm> swarms;
-  // Whether a place lies in the goal of a swarm (its index above). Asked until the agent has been there once.
+  // Whether a place lies in the goal of a swarm that has one (its index above). Asked until the agent has
+  // been there once.
   std::function<bool(std::size_t swarm, glm::vec3)> in_goal{};  // empty: not measured
   // With the exact distance, φ < 0 is decided by it wherever the sampled field cannot.
   ObstacleView obstacles{};     // empty: there are none, and nobody is inside one
@@ -35,19 +40,13 @@ struct MetricsConfig {
   std::uint64_t ticks = 0;  // how many there will be, for what is measured over a part of the flight
 };
 
-// Columns of one tick, one element an agent: m, m/s. The truth where it is known.
-struct MetricsTick {
-  std::span<const float> x, y, z;
-  std::span<const float> vx, vy, vz;
-};
-
 // What was not measured is empty, never 0.
 struct MetricsResult {
   std::uint64_t ticks = 0;
   std::optional<double> min_separation_m;  // of two centres at any tick; empty with fewer than two agents
   std::uint64_t collisions = 0;            // encounters below the sum of the two radii, each counted once
   std::uint64_t penetrations = 0;          // agent-ticks with the centre inside an obstacle
-  std::optional<double> reached_fraction;  // of all agents: who entered the goal at any time
+  std::optional<double> reached_fraction;  // of all agents with a goal: who entered it at any time
   std::vector<std::optional<double>> reached_fraction_of;  // by swarm
   std::optional<double> wall_clearance_m;  // least distance of a centre to an obstacle, 0 or less inside one
   std::vector<std::optional<double>> motions;  // in the order of the questions
@@ -69,13 +68,17 @@ class Metrics {
   MetricsResult result() const;
 
  private:
+  std::vector<std::optional<double>> answers() const;
   void observe_places(const MetricsTick& tick, std::size_t agents) noexcept;
   void observe_speeds(const MetricsTick& tick, std::size_t agents) noexcept;
   void observe_obstacles(glm::vec3 place) noexcept;
 
   MetricsConfig config_;
   NearPairs pairs_;
+  LastSeen seen_;
   SwarmMotion motion_;
+  SwarmOrder order_;
+  SwarmEncounters encounters_;
   std::vector<std::uint8_t> reached_;
   std::vector<std::size_t> swarm_of_;
   std::vector<glm::vec3> last_velocity_;

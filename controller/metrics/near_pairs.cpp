@@ -34,12 +34,12 @@ double NearPairs::min_distance() const noexcept {
   return std::sqrt(least_squared_);
 }
 
-void NearPairs::observe(std::span<const float> x, std::span<const float> y,
-                        std::span<const float> z) noexcept {
+void NearPairs::observe(std::span<const float> x, std::span<const float> y, std::span<const float> z,
+                        std::span<const std::uint8_t> present) noexcept {
   std::swap(touching_, before_);
   touching_.clear();
   overflowed_ = false;
-  collect(x, y, z);
+  collect(x, y, z, present);
   if (bodies_.size() >= 2 && std::isinf(least_squared_)) {
     compare(bodies_[0], bodies_[1]);  // any pair's distance is a reach to begin with
     touching_.clear();                // it will be met again
@@ -59,12 +59,13 @@ void NearPairs::observe(std::span<const float> x, std::span<const float> y,
   count_encounters();
 }
 
-void NearPairs::collect(std::span<const float> x, std::span<const float> y,
-                        std::span<const float> z) noexcept {
+void NearPairs::collect(std::span<const float> x, std::span<const float> y, std::span<const float> z,
+                        std::span<const std::uint8_t> present) noexcept {
   bodies_.clear();
   const std::size_t agents = std::min({radii_.size(), x.size(), y.size(), z.size()});
   for (std::size_t i = 0; i < agents; ++i) {
-    if (std::isfinite(x[i]) && std::isfinite(y[i]) && std::isfinite(z[i])) {
+    const bool is_there = i >= present.size() || present[i] != 0;
+    if (is_there && std::isfinite(x[i]) && std::isfinite(y[i]) && std::isfinite(z[i])) {
       bodies_.push_back({x[i], y[i], z[i], static_cast<std::uint32_t>(i), 0});
     }
   }

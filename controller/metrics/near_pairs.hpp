@@ -23,7 +23,9 @@ class NearPairs {
 
   // Positions in m, one element an agent; those that are not finite are left out, as is everybody beyond the
   // first radii.size(). Distances are computed in double precision.
-  void observe(std::span<const float> x, std::span<const float> y, std::span<const float> z) noexcept;
+  // So is who is 0 in `present`, which is empty where all are there.
+  void observe(std::span<const float> x, std::span<const float> y, std::span<const float> z,
+               std::span<const std::uint8_t> present = {}) noexcept;
 
   // m; infinite until two agents were seen at one tick.
   double min_distance() const noexcept;
@@ -46,7 +48,8 @@ class NearPairs {
     std::int64_t high[3];
   };
 
-  void collect(std::span<const float> x, std::span<const float> y, std::span<const float> z) noexcept;
+  void collect(std::span<const float> x, std::span<const float> y, std::span<const float> z,
+               std::span<const std::uint8_t> present) noexcept;
   void empty_cells() noexcept;
   void insert(std::uint32_t body) noexcept;
   bool compare_with_cells(std::uint32_t body) noexcept;

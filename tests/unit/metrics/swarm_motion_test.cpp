@@ -32,13 +32,15 @@ MotionQuestion ask(Kind kind, std::size_t count, glm::dvec3 place = glm::dvec3(0
 // Flies `ticks` ticks with agents where `place(agent, share of the flight)` has them.
 template <class Place>
 std::optional<double> answer(const MotionQuestion& question, std::uint64_t ticks, Place place) {
-  SwarmMotion motion({question}, question.count, ticks);
+  SwarmMotion motion({question}, ticks);
+  LastSeen seen(question.count);
   Columns columns(question.count);
   for (std::uint64_t tick = 0; tick < ticks; ++tick) {
     for (std::size_t i = 0; i < question.count; ++i) {
       columns.set(i, place(i, static_cast<double>(tick) / static_cast<double>(ticks)));
     }
-    motion.observe(columns.x, columns.y, columns.z);
+    seen.update({columns.x, columns.y, columns.z, {}, {}, {}});
+    motion.observe(seen);
   }
   return motion.answers().at(0);
 }
@@ -112,7 +114,8 @@ TEST(Spread, IsTheRadiusOfGyrationAtTheEnd) {
 TEST(Distance, FollowsAPlaceThatMovesAndLeavesOutTheFirstHalf) {
   glm::dvec3 goal(0.0);
   MotionQuestion question{Kind::kDistance, 0, 4, [&goal] { return goal; }};
-  SwarmMotion motion({question}, 4, 100);
+  SwarmMotion motion({question}, 100);
+  LastSeen seen(4);
   Columns columns(4);
   for (int tick = 0; tick < 100; ++tick) {
     goal = glm::dvec3(tick, 2.0 * tick, 0.0);
@@ -120,7 +123,8 @@ TEST(Distance, FollowsAPlaceThatMovesAndLeavesOutTheFirstHalf) {
       const double away = tick < 50 ? 1000.0 : static_cast<double>(i);  // 0, 1, 2, 3
       columns.set(i, goal + glm::dvec3(0.0, 0.0, away));
     }
-    motion.observe(columns.x, columns.y, columns.z);
+    seen.update({columns.x, columns.y, columns.z, {}, {}, {}});
+    motion.observe(seen);
   }
   EXPECT_NEAR(motion.answers().at(0).value(), 1.5, 1e-5);
 }
@@ -128,13 +132,15 @@ TEST(Distance, FollowsAPlaceThatMovesAndLeavesOutTheFirstHalf) {
 TEST(SwarmMotion, KeepsToItsSwarmAndItsOrder) {
   MotionQuestion second = ask(Kind::kSpread, 2);
   second.first = 2;
-  SwarmMotion motion({ask(Kind::kNone, 2), second, ask(Kind::kSpread, 2)}, 4, 1);
+  SwarmMotion motion({ask(Kind::kNone, 2), second, ask(Kind::kSpread, 2)}, 1);
+  LastSeen seen(4);
   const Columns columns = [] {
     Columns c(4);
     c.x = {0.0F, 2.0F, 0.0F, 20.0F};
     return c;
   }();
-  motion.observe(columns.x, columns.y, columns.z);
+  seen.update({columns.x, columns.y, columns.z, {}, {}, {}});
+  motion.observe(seen);
   const auto answers = motion.answers();
   ASSERT_EQ(answers.size(), 3U);
   EXPECT_FALSE(answers[0]);
@@ -148,24 +154,30 @@ TEST(SwarmMotion, NobodyOneAndNeverSeen) {
   for (const Kind kind : {Kind::kCentreDrift, Kind::kDistance, Kind::kTurns, Kind::kSpread}) {
     EXPECT_FALSE(answer(ask(kind, 0), 10, still));
     EXPECT_FALSE(answer(ask(kind, 3), 10, unseen));
-    EXPECT_FALSE(SwarmMotion({ask(kind, 3)}, 3, 10).answers().at(0) && kind != Kind::kTurns);
+    EXPECT_FALSE(SwarmMotion({ask(kind, 3)}, 10).answers().at(0) && kind != Kind::kTurns);
     EXPECT_NEAR(answer(ask(kind, 1), 10, still).value(), kind == Kind::kDistance ? std::sqrt(14.0) : 0.0,
                 1e-6);
   }
-  SwarmMotion short_columns({ask(Kind::kSpread, 3)}, 3, 1);
+  SwarmMotion short_columns({ask(Kind::kSpread, 3)}, 1);
+  LastSeen seen(3);
   const std::vector<float> two = {0.0F, 2.0F};
-  short_columns.observe(two, two, std::vector<float>{0.0F, kNan});
+  const std::vector<float> partly = {0.0F, kNan};
+  seen.update({two, two, partly, {}, {}, {}});
+  short_columns.observe(seen);
   EXPECT_EQ(short_columns.answers().at(0), 0.0);  // one agent was seen
 }
 
 TEST(SwarmMotion, ObservingAllocatesNothing) {
   SwarmMotion motion(
       {ask(Kind::kTurns, 50), ask(Kind::kSpread, 50), ask(Kind::kDistance, 50), ask(Kind::kCentreDrift, 50)},
-      50, 1);
+      1);
+  LastSeen seen(50);
   const Columns columns(50);
   const std::uint64_t before = allocation_count();
-  motion.observe(columns.x, columns.y, columns.z);
-  motion.observe(columns.x, columns.y, columns.z);
+  seen.update({columns.x, columns.y, columns.z, {}, {}, {}});
+  motion.observe(seen);
+  seen.update({columns.x, columns.y, columns.z, {}, {}, {}});
+  motion.observe(seen);
   EXPECT_EQ(allocation_count(), before);
 }
 
