@@ -32,7 +32,7 @@ class SwarmOrder {
 
  private:
   struct Asked {
-    MotionQuestion::Kind kind;
+    MotionQuestion::Kind kind = MotionQuestion::Kind::kNone;
     AgentRange range;
     double sum = 0.0;
     std::uint64_t ticks = 0;
