@@ -30,14 +30,14 @@ class ScriptedEngine final : public Engine {
     std::fill(out.x.begin(), out.x.end(), v.x);
     std::fill(out.y.begin(), out.y.end(), v.y);
     std::fill(out.z.begin(), out.z.end(), v.z);
-    return {moved, 0};
+    return {moved, infeasible};
   }
   void move_stimuli(std::size_t, std::span<const glm::vec3>) noexcept override {}
   void replace_fields(std::size_t, const SwarmFields&) noexcept override {}
   std::string_view fault() const noexcept override { return fault_; }
 
   glm::vec3 wanted{0.0F, 1.0F, 0.0F};
-  std::size_t moved = 0;
+  std::size_t moved = 0, infeasible = 0;
   std::uint64_t fails_from = 0, fails_before = 0;
 
  private:
@@ -129,6 +129,42 @@ TEST(Fly, ShowsEveryTickToWhoeverWatches) {
   EXPECT_EQ(counter.ticks, 20U);
   EXPECT_TRUE(counter.in_order);
   EXPECT_EQ(counter.last, Time(std::chrono::milliseconds(190)));
+}
+
+Scenario hall_of_avoiders(int agents) {
+  Scenario scenario = hall(agents);
+  scenario.swarms[0].avoidance.on = true;
+  return scenario;
+}
+
+TEST(Fly, SaysOnceWhenEveryAgentIsInfeasible) {
+  Sortie sortie(hall_of_avoiders(4));
+  ScriptedEngine engine;
+  engine.infeasible = 4;
+  const auto summary = sortie.fly_with(sortie.hal, engine);
+  ASSERT_TRUE(summary);
+  EXPECT_EQ(summary->infeasible_agents, 80U);
+  EXPECT_EQ(summary->all_infeasible_s, 0.0);
+  ASSERT_THAT(summary->faults, SizeIs(1));
+  EXPECT_THAT(summary->faults[0].cause, HasSubstr("every agent infeasible"));
+}
+
+TEST(Fly, CountsInfeasibleAgentsWithoutAlarmWhileSomebodyHasAWay) {
+  Sortie sortie(hall_of_avoiders(4));
+  ScriptedEngine engine;
+  engine.infeasible = 3;
+  const auto summary = sortie.fly_with(sortie.hal, engine);
+  ASSERT_TRUE(summary);
+  EXPECT_EQ(summary->infeasible_agents, 60U);
+  EXPECT_EQ(summary->all_infeasible_s, std::nullopt);
+  EXPECT_THAT(summary->faults, IsEmpty());
+}
+
+TEST(Fly, WhereNobodyAvoidsInfeasibleAgentsAreNotMeasured) {
+  Sortie sortie(hall(4));
+  const auto summary = sortie.fly();
+  ASSERT_TRUE(summary);
+  EXPECT_EQ(summary->infeasible_agents, std::nullopt);
 }
 
 TEST(Fly, CountsTheShareOfAgentsThatMdeMoved) {
