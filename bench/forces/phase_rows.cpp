@@ -71,7 +71,7 @@ Result<double> order_at(const ForcesPlan& plan, double density) {
       return fail(flown.error());
     }
   }
-  return sum / (kSeeds * (kTicks - kTicks / 2));
+  return sum / static_cast<double>(kSeeds * (kTicks - kTicks / 2));
 }
 
 }  // namespace
