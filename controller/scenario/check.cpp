@@ -37,11 +37,6 @@ class Checker {
     if (full()) {
       return;
     }
-    if (!key.available) {
-      add({.message = fmt::format("'{}' is not available in this version", name),
-           .place = node.mark.place()});
-      return;
-    }
     switch (key.type) {
       case KeyType::kMap:
         return check_map(node, key, name);
@@ -118,18 +113,14 @@ class Checker {
 
   void check_groups(const YamlNode& map, const Key& key) {
     std::vector<std::string> names;
-    std::vector<std::string> available;
     std::string group;
     for (const Key* child : child_keys(key.path)) {
       if (!child->group.empty()) {
         group = child->group;
         names.emplace_back(last_name(child->path));
       }
-      if (!child->group.empty() && child->available) {
-        available.push_back(names.back());
-      }
     }
-    const std::string wanted = (available.size() > 1 ? "exactly one of " : "") + list_names(available);
+    const std::string wanted = (names.size() > 1 ? "exactly one of " : "") + list_names(names);
     if (group.empty()) {
       return;
     }

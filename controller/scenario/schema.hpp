@@ -40,7 +40,6 @@ struct Key {
   std::string group{};                 // of the siblings with the same group, exactly one is given
   std::string needs{};                 // a sibling without which the key means nothing
   bool list_later = false;             // a list of values instead of one is known, but not in this version
-  bool available = true;               // false: known, but not in this version
   std::string text;                    // one sentence
 };
 

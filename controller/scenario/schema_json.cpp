@@ -78,10 +78,6 @@ void add_named_map(Json& schema, const Key& key) {
 }
 
 void add_type(Json& schema, const Key& key) {
-  if (!key.available) {
-    schema["not"] = Json::object();
-    return;
-  }
   switch (key.type) {
     case KeyType::kMap:
       return add_properties(schema, key.path);

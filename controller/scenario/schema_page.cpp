@@ -90,9 +90,6 @@ std::string remarks(const Key& key) {
   if (!key.later.empty()) {
     text += " Not in this version: " + list_names(key.later) + ".";
   }
-  if (!key.available) {
-    text += " Not in this version.";
-  }
   if (!key.needs.empty()) {
     text += fmt::format(" Only beside `{}`.", key.needs);
   }
