@@ -19,6 +19,7 @@ constexpr float kSide = 1.26F;      // m: 2 m³, so that 20 to 200 agents, the p
 constexpr float kCritical = 50.0F;  // 1/m³
 constexpr float kPeriod = 0.005F;   // s: at longer steps alignment overshoots by more than the swarm is fast
 constexpr int kTicks = 2000;
+constexpr int kCountedTicks = kTicks / 2;  // the last of them: the order has settled
 constexpr int kSeeds = 3;
 constexpr double kBelow = 45.0, kAbove = 55.0;  // 1/m³: between them the swarm switches
 
@@ -65,13 +66,13 @@ Result<double> order_at(const ForcesPlan& plan, double density) {
     const auto engine = make_native_engine(plan.threads);
     int ticks = 0;
     const auto flown = fly(*engine, flock, kTicks, [&](const std::vector<glm::vec3>& velocities) {
-      sum += ++ticks > kTicks / 2 ? order_of(velocities) : 0.0;
+      sum += ++ticks > kTicks - kCountedTicks ? order_of(velocities) : 0.0;
     });
     if (!flown) {
       return fail(flown.error());
     }
   }
-  return sum / static_cast<double>(kSeeds * (kTicks - kTicks / 2));
+  return sum / static_cast<double>(kSeeds * kCountedTicks);
 }
 
 }  // namespace

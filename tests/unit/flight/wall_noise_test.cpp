@@ -1,4 +1,5 @@
-// Curl noise at the walls of every mesh in config/meshes, shipped or fetched: nothing of it goes through them.
+// Curl noise at the walls of every mesh in config/meshes, shipped or fetched: nothing of it goes through
+// them.
 #include <gtest/gtest.h>
 
 #include <algorithm>
