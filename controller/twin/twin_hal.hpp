@@ -1,0 +1,87 @@
+// Robots taken out of a run, replaced by simulated twins, and put back, while everybody flies on.
+#pragma once
+
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/hal.hpp"
+#include "core/result.hpp"
+
+namespace mayfly {
+
+struct TwinLimits {            // one a robot
+  float speed = 3.0F;          // m/s
+  float acceleration = 20.0F;  // m/s²
+};
+
+struct TwinConfig {
+  std::vector<TwinLimits> robots;
+  // A robot is put back no farther from its twin, and no faster past it, than this; m and m/s. What is seen
+  // of it then jumps by no more.
+  float most_distance = 0.05F;
+  float most_speed = 0.1F;
+  Time most_age{std::chrono::milliseconds(100)};  // of the pose by which that is judged
+  CommandKind parked = CommandKind::kHold;        // what a robot is told while its twin flies; or kLand
+};
+
+enum class TwinOutcome : std::uint8_t {
+  kNone,       // nothing was asked of it yet
+  kPending,    // waits for the next read
+  kTakenOut,   // its twin flies
+  kPutBack,    // it flies itself
+  kAlready,    // it was so before
+  kNeverSeen,  // no twin can start: nobody knows where the robot is
+  kNoPose,     // cannot be put back: its own pose is missing or too old
+  kTooFar,     // … it is too far from its twin
+  kTooFast,    // … it moves past its twin
+};
+
+// What became of the last request for a robot.
+struct TwinReport {
+  TwinOutcome outcome = TwinOutcome::kNone;
+  float distance = 0.0F;  // m, of the robot from its twin when it was judged
+  float speed = 0.0F;     // m/s, between the two
+};
+
+// Stands before a HAL, and is one. Twins follow their commands within the acceleration limit, as the
+// governor's reference does: v⁺ is the command, or as near to it as a·T allows, and p⁺ = p + T(v + v⁺)/2.
+// Without a valid command they brake and hold.
+class TwinHal final : public Hal {
+ public:
+  TwinHal(std::unique_ptr<Hal> real, TwinConfig config);
+  ~TwinHal() override;
+
+  // From any thread; done at the next read. False where there is no such robot or it still waits for one.
+  bool take_out(RobotIndex robot) noexcept;
+  bool put_back(RobotIndex robot) noexcept;
+  // From any thread.
+  bool is_twin(RobotIndex robot) const noexcept;
+  TwinReport report(RobotIndex robot) const noexcept;
+
+  std::span<const RobotInfo> robots() const noexcept override { return real_->robots(); }
+  std::string_view name() const noexcept override { return real_->name(); }
+  Hal& real() noexcept { return *real_; }
+
+ private:
+  class Twins;
+
+  Result<void> do_configure() override;
+  Result<void> do_activate(Time now) override;
+  HalResult do_read(Time now, const StateColumns& states) noexcept override;
+  HalResult do_write(Time now, const CommandColumns& commands) noexcept override;
+  Result<void> do_deactivate(Time now) override;
+
+  std::unique_ptr<Hal> real_;
+  TwinConfig config_;
+  std::unique_ptr<Twins> twins_;
+};
+
+// "taken out", "0.31 m from its twin; wanted at most 0.05 m", …
+std::string describe(const TwinReport& report, const TwinConfig& config);
+
+}  // namespace mayfly
