@@ -24,7 +24,8 @@ enum class Symptom : std::uint8_t {
   kBatteryUnknown,  // not a number, or a jump
   kCommandRefused,  // expired, out of sequence, or in a state that does not allow it
   kCommandNotFinite,
-  kLimitBroken,  // the command that would have been sent is beyond speed or acceleration: ours to mend
+  kLimitBroken,      // the command that would have been sent is beyond speed or acceleration: ours to mend
+  kInvariantBroken,  // another invariant of what is sent does not hold: ours as well
   // Of everybody.
   kIdSwap,  // two jumped at once, and exchanged they fit
   kLinkLost,
@@ -63,6 +64,8 @@ enum class Severity : std::uint8_t {
   kHoldAll,  // R3: so does everybody; from here on latched until an operator acknowledges
   kLand,     // R4: that robot lands or returns; on the ground it stops
   kCut,      // R5: motors off
+  kCount
 };
+inline constexpr std::size_t kSeverities = static_cast<std::size_t>(Severity::kCount);
 
 }  // namespace mayfly
