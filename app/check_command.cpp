@@ -22,6 +22,9 @@ std::vector<Error> check_one(const std::filesystem::path& file, const CheckOptio
   if (!scenario) {
     return scenario.error();
   }
+  for (const Error& warning : scenario->warnings) {
+    log_warning(to_string(warning));
+  }
   ProgressLine line(true);
   const auto start = std::chrono::steady_clock::now();
   const auto world = build_world(*scenario, options.threads, line.stages());

@@ -94,6 +94,31 @@ void check_goal_in_bounds(const GoalSpec& goal, const YamlMark& mark, const Box&
   }
 }
 
+// m; of a mesh it is only known when the fields are built.
+std::optional<float> narrowest(const fields::Shape& shape) {
+  if (const auto* box = std::get_if<fields::BoxShape>(&shape)) {
+    const glm::vec3 size = box->box.max - box->box.min;
+    return std::min({size.x, size.y, size.z});
+  }
+  if (const auto* sphere = std::get_if<fields::SphereShape>(&shape)) {
+    return 2.0F * sphere->radius;
+  }
+  if (const auto* cylinder = std::get_if<fields::CylinderShape>(&shape)) {
+    return 2.0F * cylinder->radius;
+  }
+  return std::nullopt;
+}
+
+// Between samples that all lie outside nothing is seen of what lies among them: agents would fly into it.
+void warn_if_narrow(const ObstacleSpec& obstacle, const YamlMark& mark, float cell, Findings& findings) {
+  const std::optional<float> width = narrowest(obstacle.shape);
+  if (width && *width > 0.0F && *width < cell) {
+    findings.warn(mark, fmt::format("an obstacle {:g} m across may not be seen between samples {:g} m apart; "
+                                    "agents may fly into it",
+                                    *width, cell));
+  }
+}
+
 ObstacleSpec build_obstacle(const Values& values, const YamlMark& mark, const FileRoots& roots,
                             Findings& findings) {
   ObstacleSpec obstacle{build_shape(values, roots, findings), mark.place(), build_path(values, findings)};
@@ -146,6 +171,7 @@ WorldSpec build_world(const Values& world, const FileRoots& roots, Findings& fin
   if (const YamlNode* obstacles = world.node("obstacles")) {
     for (const YamlNode& item : obstacles->items) {
       spec.obstacles.push_back(build_obstacle(world.element("obstacles", item), item.mark, roots, findings));
+      warn_if_narrow(spec.obstacles.back(), item.mark, spec.cell, findings);
     }
   }
   if (const YamlNode* goals = world.node("goals")) {

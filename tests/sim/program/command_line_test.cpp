@@ -74,6 +74,13 @@ TEST(CommandLine, CheckTellsEachScenario) {
                     HasSubstr("two_blocks_around: ok (")));
 }
 
+TEST(CommandLine, CheckTellsWhatIsOdd) {
+  const Outcome outcome = run_program({"check", kScenarios + "chasing.yaml"});
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_THAT(outcome.error, HasSubstr("less than two radii"));
+  EXPECT_THAT(run_program({"check", kScenarios + "two_blocks_passage.yaml"}).error, IsEmpty());
+}
+
 TEST(CommandLine, DoctorLooksAtTheMachine) {
   const Outcome outcome = run_program({"doctor"});
   EXPECT_EQ(outcome.exit_code, 0);

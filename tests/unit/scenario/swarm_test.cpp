@@ -116,6 +116,20 @@ TEST(Packing, DenseStartIsAWarning) {
   EXPECT_THAT(test::all_text(result->warnings), HasSubstr("places are hard to find"));
 }
 
+TEST(Warnings, ObstacleNarrowerThanACell) {
+  const auto warnings_with = [](const std::string& obstacle) {
+    const auto result = test::load_text(changed("  goals:\n", "  obstacles: [" + obstacle + "]\n  goals:\n"));
+    return result ? test::all_text(result->warnings) : test::all_text(result.error());
+  };
+  const std::string narrow = "0.98 m across may not be seen between samples 1 m apart";
+  EXPECT_THAT(warnings_with("{sphere: {center: [5, 5, 5], radius: 0.49}}"), HasSubstr(narrow));
+  EXPECT_THAT(warnings_with("{cylinder: {from: [5, 5, 0], to: [5, 5, 5], radius: 0.49}}"), HasSubstr(narrow));
+  EXPECT_THAT(warnings_with("{box: {min: [5, 5, 5], max: [9, 5.98, 9]}}"), HasSubstr(narrow));
+  EXPECT_EQ(warnings_with("{sphere: {center: [5, 5, 5], radius: 0.5}}"), "");
+  EXPECT_EQ(warnings_with("{cylinder: {from: [5, 5, 0], to: [5, 5, 5], radius: 0.5}}"), "");
+  EXPECT_EQ(warnings_with("{box: {min: [5, 5, 5], max: [9, 6, 9]}}"), "");
+}
+
 TEST(Warnings, SeparationBelowTwoRadii) {
   const auto result = test::load_text(with_key("radius: 0.15\n    limits: {separation: 0.2}"));
   ASSERT_TRUE(result);
