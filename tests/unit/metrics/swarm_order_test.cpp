@@ -114,10 +114,9 @@ TEST(NearestDistance, KnowsAgentsAtOnePlaceAndThoseOnALattice) {
   EXPECT_EQ(NearestDistance(64).mean(together.seen(), {0, 64}), 0.0);
   Columns lattice(64);
   for (std::size_t i = 0; i < 64; ++i) {
-    lattice.set(i,
-                {0.5 * static_cast<double>(i % 4), 0.5 * static_cast<double>(i / 4 % 4),
-                 0.5 * static_cast<double>(i / 16)},
-                {});
+    const std::size_t row = i / 4;
+    const std::size_t layer = i / 16;
+    lattice.set(i, 0.5 * glm::dvec3(i % 4, row % 4, layer), {});
   }
   EXPECT_DOUBLE_EQ(NearestDistance(64).mean(lattice.seen(), {0, 64}).value(), 0.5);
   EXPECT_FALSE(NearestDistance(64).mean(lattice.seen(), {0, 1}));
