@@ -57,8 +57,7 @@ class LifeCycles {
 
  private:
   bool apply(RobotIndex robot, RobotEvent event) noexcept;
-  void watch_link(RobotIndex robot, const Observation& seen) noexcept;
-  void watch_ground(RobotIndex robot, bool airborne) noexcept;
+  void apply_order(RobotIndex robot, CommandKind wish) noexcept;
 
   LifeCycleConfig config_;
   std::vector<RobotState> states_;

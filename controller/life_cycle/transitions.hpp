@@ -96,16 +96,54 @@ constexpr std::optional<RobotState> next_state(RobotState state, RobotEvent even
   return next == RobotState::kCount ? std::nullopt : std::optional(next);
 }
 
-// Whether a planner's wish of this kind may reach a robot in this state. Holding and stopping are always
-// allowed: less than that is not asked of anybody.
-bool allows(RobotState state, CommandKind kind) noexcept;
-// What is sent to a robot in this state to whom nothing may be sent, or of whom nothing is wished.
-CommandKind own_command(RobotState state, bool airborne) noexcept;
-// Whether motors may turn.
-bool is_armed(RobotState state) noexcept;
+// Whether a planner's wish of this kind may reach a robot in this state. No wish is allowed everywhere.
+constexpr bool allows(RobotState state, CommandKind kind) noexcept;
+// What is sent to a robot in this state of whom nothing is wished, or nothing that it may be sent.
+constexpr CommandKind own_command(RobotState state, bool airborne) noexcept;
 
-// As in the reference page: "taking off", "checks passed".
+// As on the reference page: "taking off", "checks passed".
 std::string_view name_of(RobotState state) noexcept;
 std::string_view name_of(RobotEvent event) noexcept;
+std::string_view name_of(CommandKind kind) noexcept;
+
+namespace life_cycle {
+
+using C = CommandKind;
+
+struct Orders {
+  CommandKind on_ground;  // where nothing else may be sent
+  CommandKind in_air;
+  bool velocity, hold, take_off, land, stop;  // what a planner may wish
+};
+
+// One row a state, in the order of RobotState. Neither a take-off nor a landing is held up by a planner that
+// has nothing better to say; after a flight motors stay off.
+inline constexpr std::array<Orders, kRobotStates> kOrders = {{
+    {C::kNone, C::kHold, false, true, false, false, true},       // kUnknown
+    {C::kNone, C::kHold, false, true, false, false, true},       // kConnected
+    {C::kNone, C::kHold, false, true, false, false, true},       // kChecked
+    {C::kNone, C::kHold, false, true, true, false, true},        // kArmed
+    {C::kTakeOff, C::kTakeOff, false, false, true, true, true},  // kTakingOff
+    {C::kHold, C::kHold, true, true, false, true, true},         // kFlying
+    {C::kHold, C::kHold, false, true, false, true, true},        // kHolding
+    {C::kHold, C::kHold, false, true, false, true, true},        // kReturning
+    {C::kLand, C::kLand, false, false, false, true, true},       // kLanding
+    {C::kStop, C::kStop, false, false, false, false, true},      // kOff
+    {C::kStop, C::kHold, false, true, false, true, true},        // kFault
+}};
+
+}  // namespace life_cycle
+
+constexpr bool allows(RobotState state, CommandKind kind) noexcept {
+  const life_cycle::Orders& orders = life_cycle::kOrders[static_cast<std::size_t>(state)];
+  const std::array<bool, 6> allowed = {true,        orders.velocity, orders.hold, orders.take_off,
+                                       orders.land, orders.stop};
+  return allowed[static_cast<std::size_t>(kind)];
+}
+
+constexpr CommandKind own_command(RobotState state, bool airborne) noexcept {
+  const life_cycle::Orders& orders = life_cycle::kOrders[static_cast<std::size_t>(state)];
+  return airborne ? orders.in_air : orders.on_ground;
+}
 
 }  // namespace mayfly

@@ -1,0 +1,110 @@
+#include "controller/estimator/source_judge.hpp"
+
+#include <algorithm>
+
+namespace mayfly::estimator {
+namespace {
+
+// This many jumps in a row are believed, once they have been told.
+constexpr int kBelieved = 3;
+// m: who was told to go less far may well be where it was. Motors have a dead band, floats a resolution.
+constexpr double kLeastTravel = 1e-3;
+constexpr double kPlaceRounding = 0x1p-20;
+// m: who stays within it stands.
+constexpr double kStill = 5e-3;
+
+}  // namespace
+
+SourceJudge::SourceJudge(const EstimatorConfig& config, const EstimatorSource& source)
+    : limits_(config.robots),
+      resolution_(static_cast<double>(source.resolution)),
+      frozen_samples_(config.frozen_samples),
+      most_age_(config.most_age),
+      suspects_(config.robots.size()),
+      repeats_(config.robots.size()) {}
+
+PoseGate SourceJudge::gate(std::size_t robot) const noexcept {
+  return {static_cast<double>(limits_[robot].speed), resolution_};
+}
+
+SampleFate SourceJudge::judge(std::size_t robot, const Sample& sample, const Step& last,
+                              const Eigen::RowVector3d& told) noexcept {
+  if (freezes(repeats_[robot], sample, told)) {
+    return SampleFate::kFrozen;
+  }
+  Suspect& suspect = suspects_[robot];
+  const Time gap = sample.stamp - last.stamp;
+  // With time every place comes within reach. Nonsense must not be taken only because it lasted: who is a
+  // suspect has no longer than the age limit, unless it was away for longer than that anyhow. A robot taken
+  // for another one comes back to where it really is.
+  const bool waits = suspect.jumps > 0 && !suspect.swapped;
+  const double seconds = to_seconds(waits ? std::min(gap, std::max(suspect.gap, most_age_)) : gap);
+  const PoseGate gate = this->gate(robot);
+  const Place& place = sample.value.position;
+  // Nor because the real robot, or the belief, drifts towards it.
+  const bool goes_on =
+      suspect.jumps > 0 && sample.stamp >= suspect.last.stamp &&
+      gate.follows(suspect.last.value.position, to_seconds(sample.stamp - suspect.last.stamp),
+                   sample.value) &&
+      (place - suspect.last.value.position).norm() < (place - last.belief.place_after(seconds)).norm();
+  if (!goes_on && gate.fits(last.belief, seconds, sample.value)) {
+    suspect = {};
+    return SampleFate::kTaken;
+  }
+  suspect.agreeing = goes_on ? suspect.agreeing : 0;
+  suspect_of(robot, sample, gap);
+  return SampleFate::kJumped;
+}
+
+bool SourceJudge::may_begin_anew(std::size_t robot) const noexcept {
+  const Suspect& suspect = suspects_[robot];
+  return !suspect.swapped && suspect.told >= kBelieved && suspect.agreeing > kBelieved;
+}
+
+void SourceJudge::forget(std::size_t robot) noexcept {
+  suspects_[robot] = {};
+  repeats_[robot] = {};
+}
+
+void SourceJudge::have_told() noexcept {
+  for (Suspect& suspect : suspects_) {
+    suspect.told = suspect.jumps;
+  }
+}
+
+bool SourceJudge::freezes(Repeat& repeat, const Sample& sample,
+                          const Eigen::RowVector3d& told) const noexcept {
+  if (sample.stamp <= repeat.stamp) {
+    return repeat.frozen;  // not a fresh stamp: says nothing
+  }
+  const Place& place = sample.value.position;
+  repeat.stamp = sample.stamp;
+  if (repeat.equal == 0 || repeat.place != place) {
+    repeat = {1, sample.stamp, place, told, false};
+    return false;
+  }
+  ++repeat.equal;
+  const double least = std::max({kLeastTravel, resolution_, kPlaceRounding * place.cwiseAbs().maxCoeff()});
+  repeat.frozen = repeat.frozen || (repeat.equal >= frozen_samples_ && (told - repeat.told).norm() > least);
+  return repeat.frozen;
+}
+
+void SourceJudge::suspect_of(std::size_t robot, const Sample& sample, Time gap) noexcept {
+  Suspect& suspect = suspects_[robot];
+  if (suspect.jumps == 0) {
+    suspect.gap = gap;
+  }
+  ++suspect.jumps;
+  ++suspect.agreeing;
+  const double reach =
+      kStill + gate(robot).radius(0.0, 2.0 * sample.value.position_variance, sample.value.position);
+  const bool stands =
+      suspect.still > 0 && suspect.agreeing > 1 && (sample.value.position - suspect.rest).norm() <= reach;
+  if (!stands) {
+    suspect.rest = sample.value.position;
+  }
+  suspect.still = stands ? suspect.still + 1 : 1;
+  suspect.last = sample;
+}
+
+}  // namespace mayfly::estimator
