@@ -10,7 +10,6 @@ namespace mayfly {
 
 namespace {
 
-using estimator::Measurement;
 using estimator::Sample;
 using estimator::Step;
 using estimator::Track;
