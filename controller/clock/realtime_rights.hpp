@@ -1,6 +1,7 @@
 // What the operating system grants a loop that must be punctual.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -32,5 +33,18 @@ RealtimeRights request_realtime(int priority);
 
 // Gives the calling thread its ordinary priority and the process its unlocked memory back.
 void drop_realtime() noexcept;
+
+// Parts of the above, for a thread that needs no more. Each: whether it was granted; errno tells why not.
+bool request_priority(int priority) noexcept;
+bool sharpen_timers() noexcept;
+
+// The processors that the calling thread may run on, ascending.
+std::vector<int> allowed_cpus();
+// Which of them a control loop keeps to: the last, because interrupts and start-up work favour the first; -1
+// where there is but one, and nothing to choose.
+int control_cpu();
+bool pin_thread(int cpu) noexcept;
+// Lets the calling thread run on any of `cpus`. Needs no right within what allowed_cpus() told.
+bool allow_cpus(const std::vector<int>& cpus) noexcept;
 
 }  // namespace mayfly

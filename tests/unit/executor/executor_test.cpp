@@ -7,7 +7,9 @@
 
 #include "controller/clock/realtime_clock.hpp"
 #include "controller/clock/virtual_clock.hpp"
+#include "core/armed_tick.hpp"
 #include "tests/reference/allocation_count.hpp"
+#include "tests/unit/executor/scripted_clock.hpp"
 
 namespace mayfly {
 namespace {
@@ -15,24 +17,6 @@ namespace {
 using namespace std::chrono_literals;
 
 const std::atomic<bool> kNeverStop{false};
-
-// Time that passes when the test says so: work takes as long as a task adds, and a sleep ends `oversleep`
-// late.
-class ScriptedClock final : public Clock {
- public:
-  Time now() const noexcept override { return now_; }
-  void sleep_until(Time deadline) noexcept override {
-    now_ = std::max(now_, deadline) + oversleep;
-    oversleep = 0ns;
-  }
-  bool is_virtual() const noexcept override { return true; }
-  void work(Time duration) noexcept { now_ += duration; }
-
-  Time oversleep{0};  // of the next sleep only
-
- private:
-  Time now_{5s};  // a run need not begin with the clock
-};
 
 TEST(Executor, ReleasesOnTheGridWithoutDrift) {
   VirtualClock clock;
@@ -245,6 +229,23 @@ TEST(Executor, ASecondRunCountsItsReleasesAnew) {
   EXPECT_EQ(releases, (std::vector<std::uint64_t>{0, 1, 0, 1}));
   EXPECT_EQ(clock.now(), 35ms);
   EXPECT_EQ(executor.stats()[0].ticks, 4U);
+}
+
+TEST(Executor, ATaskIsAnArmedTickAndNothingElseIs) {
+  VirtualClock clock;
+  Executor executor(clock);
+  int inside = 0;
+  bool planner_inside = false;
+  const auto look = [&](const TickInfo&) noexcept { inside += ArmedTick::is_now() ? 1 : 0; };
+  ASSERT_TRUE(executor.add_task("control", 100.0, look, look));
+  ASSERT_TRUE(executor.add_planner(
+      "planner", 100.0, 0ns,
+      [&](const TickInfo&) noexcept { planner_inside = planner_inside || ArmedTick::is_now(); },
+      [&](const TickInfo&) noexcept { planner_inside = planner_inside || ArmedTick::is_now(); }));
+  EXPECT_TRUE(executor.run(50ms, kNeverStop));
+  EXPECT_EQ(inside, 10);
+  EXPECT_FALSE(planner_inside);
+  EXPECT_FALSE(ArmedTick::is_now());
 }
 
 TEST(Executor, AllocatesNothingWhileItRuns) {
