@@ -53,6 +53,14 @@ Finding timer_finding() {
                                  "with PREEMPT_RT (linux-image-rt-amd64)"};
 }
 
+Finding processor_finding() {
+  const int cpu = control_cpu();
+  return {true, "processors for it",
+          cpu < 0 ? "one, which control shares with everybody"
+                  : fmt::format("control keeps to number {} of {}", cpu, allowed_cpus().size()),
+          ""};
+}
+
 }  // namespace
 
 std::vector<Finding> look_at_realtime() {
@@ -77,6 +85,7 @@ std::vector<Finding> look_at_realtime() {
                       fmt::format("{} (RLIMIT_MEMLOCK {} KiB)", rights.memory_locked ? "granted" : "refused",
                                   limit_text(RLIMIT_MEMLOCK, 1024.0)),
                       remedy_of("memory")});
+  findings.push_back(processor_finding());
   std::ifstream realtime("/sys/kernel/realtime");
   int is_realtime = 0;
   realtime >> is_realtime;

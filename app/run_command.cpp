@@ -13,16 +13,12 @@
 #include "app/signals.hpp"
 #include "app/summary_table.hpp"
 #include "app/wiring.hpp"
-#include "controller/clock/realtime_rights.hpp"
 #include "controller/flight/prepare.hpp"
 #include "controller/scenario/load.hpp"
 #include "simulate/robots.hpp"
 
 namespace mayfly::app {
 namespace {
-
-// Above ordinary work, below what the kernel itself needs (threaded interrupts run at 50, migration at 99).
-constexpr int kControlPriority = 80;
 
 int refuse(std::span<const Error> errors) {
   print_errors(errors);
@@ -50,15 +46,6 @@ void announce(const RunOptions& options, const Scenario& scenario, const Engine&
              agents, agents == 1 ? "" : "s", scenario.duration, engine.name(),
              options.fast ? "as fast as it goes" : "in real time");
   std::fflush(stdout);
-}
-
-void get_realtime_rights(const RunOptions& options) {
-  if (options.fast) {
-    return;
-  }
-  for (const auto& refusal : request_realtime(kControlPriority).refused) {
-    log_detail(fmt::format("not granted: {} ({}); {}", refusal.right, refusal.reason, refusal.remedy));
-  }
 }
 
 int exit_code_of(const Summary& summary, int signal_number) {
@@ -89,18 +76,15 @@ int fly_and_tell(const RunOptions& options, const Scenario& scenario, const Prep
   announce(options, scenario, **engine, agents);
   auto summary = [&] {
     const FlightLine flight_line(line, gauge, scenario.duration, agents);
-    get_realtime_rights(options);
-    auto flown = fly({.scenario = scenario,
-                      .world = ready.world,
-                      .engine = **engine,
-                      .hal = *robots.hal,
-                      .truth = robots.truth.get(),
-                      .clock = *clock,
-                      .observers = outputs->observers(),
-                      .stop = &signals.stop(),
-                      .gauge = &gauge});
-    drop_realtime();
-    return flown;
+    return fly({.scenario = scenario,
+                .world = ready.world,
+                .engine = **engine,
+                .hal = *robots.hal,
+                .truth = robots.truth.get(),
+                .clock = *clock,
+                .observers = outputs->observers(),
+                .stop = &signals.stop(),
+                .gauge = &gauge});
   }();
   if (!summary) {
     return refuse(summary.error());

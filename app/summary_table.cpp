@@ -45,6 +45,45 @@ void add_motion(Out out, const Summary& s) {
   line(out, "governor", fmt::format("{} interventions (agent-ticks)", s.governor_interventions));
 }
 
+std::string text_of(const LatencySummary& latency) {
+  return fmt::format("{:.0f} µs (median), 99 % below {:.0f} µs, 99.9 % below {:.0f} µs, {:.0f} µs at worst",
+                     latency.p50, latency.p99, latency.p999, latency.max);
+}
+
+void add_tasks(Out out, const ControlSummary& control) {
+  for (const TaskSummary& task : control.tasks) {
+    if (task.thread == "own") {
+      line(out, task.name,
+           fmt::format("{} times at {:.4g} Hz, {} missed; {}", task.ticks, task.rate_hz, task.missed,
+                       task.run_us ? "work " + text_of(*task.run_us) : "no work"));
+    }
+  }
+  for (const AgeSummary& age : control.ages) {
+    line(out, "age",
+         fmt::format("{}: {}; {} times older than {:.3g} s", age.name,
+                     age.age_s
+                         ? fmt::format("{:.3g} s (median), {:.3g} s at worst", age.age_s->p50, age.age_s->max)
+                         : "there never was one",
+                     age.expired, age.limit_s));
+  }
+}
+
+void add_punctuality(Out out, const ControlSummary& control) {
+  if (control.jitter_us) {
+    line(out, "jitter", text_of(*control.jitter_us));
+    line(out, "missed",
+         fmt::format("{} releases beside {} ticks flown, {} of them because the machine woke us late",
+                     control.missed, control.ticks, control.missed_by_machine));
+  }
+  if (control.witness_us) {
+    line(out, "witness", text_of(*control.witness_us) + " for a bare thread beside control");
+  }
+  line(out, "rights", control.realtime);
+  for (const std::string& right : control.missing_rights) {
+    line(out, "", "without " + right);
+  }
+}
+
 void add_timing(Out out, const Summary& s, bool real_time) {
   const auto& p = s.preprocessing_s;
   line(out, "fields",
@@ -62,14 +101,9 @@ void add_timing(Out out, const Summary& s, bool real_time) {
          fmt::format("{:.0f} µs a tick (median), 99 % below {:.0f} µs, {}", s.control.run_us->p50,
                      s.control.run_us->p99, or_dash("{:.0f} ns an agent", s.ns_per_agent_tick)));
   }
-  if (real_time && s.control.jitter_us) {
-    const LatencySummary& j = *s.control.jitter_us;
-    line(out, "jitter",
-         fmt::format("{:.0f} µs (median), 99 % below {:.0f} µs, 99.9 % below {:.0f} µs, {:.0f} µs at worst",
-                     j.p50, j.p99, j.p999, j.max));
-    line(out, "missed",
-         fmt::format("{} releases beside {} ticks flown, {} of them because the machine woke us late",
-                     s.control.missed, s.control.ticks, s.control.missed_by_machine));
+  add_tasks(out, s.control);
+  if (real_time) {
+    add_punctuality(out, s.control);
   }
 }
 

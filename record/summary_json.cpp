@@ -28,20 +28,51 @@ Json latency(const std::optional<LatencySummary>& latency) {
           {"max", number(latency->max)}};
 }
 
-Json control(const ControlSummary& control) {
-  return {{"rate_hz", number(control.rate_hz)},
-          {"ticks", control.ticks},
-          {"missed", control.missed},
-          {"missed_by_machine", control.missed_by_machine},
-          {"jitter_us", latency(control.jitter_us)},
-          {"run_us", latency(control.run_us)}};
-}
-
 Json spread(const std::optional<Spread>& spread) {
   if (!spread) {
     return {{"p50", Json()}, {"p99", Json()}, {"max", Json()}};
   }
   return {{"p50", number(spread->p50)}, {"p99", number(spread->p99)}, {"max", number(spread->max)}};
+}
+
+Json task(const TaskSummary& task) {
+  return {{"name", task.name},
+          {"thread", task.thread},
+          {"rate_hz", number(task.rate_hz)},
+          {"ticks", task.ticks},
+          {"missed", task.missed},
+          {"missed_by_machine", task.missed_by_machine},
+          {"jitter_us", latency(task.jitter_us)},
+          {"run_us", latency(task.run_us)}};
+}
+
+Json age(const AgeSummary& age) {
+  return {{"name", age.name},
+          {"limit_s", number(age.limit_s)},
+          {"expired", age.expired},
+          {"age_s", spread(age.age_s)}};
+}
+
+Json control(const ControlSummary& control) {
+  auto tasks = Json::array();
+  for (const TaskSummary& one : control.tasks) {
+    tasks.push_back(task(one));
+  }
+  auto ages = Json::array();
+  for (const AgeSummary& one : control.ages) {
+    ages.push_back(age(one));
+  }
+  return {{"rate_hz", number(control.rate_hz)},
+          {"ticks", control.ticks},
+          {"missed", control.missed},
+          {"missed_by_machine", control.missed_by_machine},
+          {"jitter_us", latency(control.jitter_us)},
+          {"run_us", latency(control.run_us)},
+          {"realtime", control.realtime},
+          {"missing_rights", control.missing_rights},
+          {"witness_us", latency(control.witness_us)},
+          {"tasks", tasks},
+          {"ages", ages}};
 }
 
 Json fields(const std::optional<FieldsSummary>& fields) {

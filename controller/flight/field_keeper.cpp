@@ -13,6 +13,8 @@ namespace {
 
 // Below what a clock's rounding can shift a tick by, s.
 constexpr double kHair = 1e-9;
+// How often the solver looks whether a set was asked for, on the real clock: short beside a planner's period.
+constexpr auto kSolverNap = std::chrono::milliseconds(2);
 
 void copy_known(std::span<const float> from, std::vector<float>& to) noexcept {
   std::copy_n(from.begin(), std::min(from.size(), to.size()), to.begin());
@@ -71,7 +73,7 @@ void FieldKeeper::work() noexcept {
   for (Turn turn = turn_.load(std::memory_order_acquire); turn != Turn::kEnd;
        turn = turn_.load(std::memory_order_acquire)) {
     if (turn != Turn::kSolver) {
-      turn_.wait(turn, std::memory_order_acquire);
+      await_other(turn);
       continue;
     }
     const bool solved = solver_.solve(inputs_, settings_.threads, sets_[1 - flown_]).has_value();
@@ -79,6 +81,15 @@ void FieldKeeper::work() noexcept {
     // Unless the flight has ended meanwhile.
     turn_.compare_exchange_strong(turn, Turn::kReady, std::memory_order_acq_rel);
     turn_.notify_all();
+  }
+}
+
+// On the real clock nobody wakes the solver, because waking is a system call, and control makes none.
+void FieldKeeper::await_other(Turn turn) noexcept {
+  if (settings_.waits) {
+    turn_.wait(turn, std::memory_order_acquire);
+  } else {
+    std::this_thread::sleep_for(kSolverNap);
   }
 }
 
@@ -142,7 +153,9 @@ void FieldKeeper::ask(double time_s, const PositionColumns& at) noexcept {
   copy_known(at.y, inputs_.y);
   copy_known(at.z, inputs_.z);
   turn_.store(Turn::kSolver, std::memory_order_release);
-  turn_.notify_all();
+  if (settings_.waits) {
+    turn_.notify_all();
+  }
 }
 
 HalResult FieldKeeper::state_of(std::size_t swarm) const noexcept {

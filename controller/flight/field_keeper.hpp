@@ -22,7 +22,7 @@ namespace mayfly {
 // At a planner's tick the control loop takes over the set of fields that was asked for at the one before, and
 // asks for the next. A thread of its own solves it in between. There are two sets: the one that is flown by,
 // and the one that is being written; whose turn it is stands in one atomic number, so that the control loop
-// neither locks nor waits nor allocates.
+// neither locks nor waits nor allocates, and on the real clock calls the system for nothing.
 //
 // On a virtual clock control waits at a planner's tick for a set that is not ready: time stands still, and
 // the set that is flown by at a tick does not depend on how fast anybody is. On the real clock it flies on by
@@ -59,6 +59,7 @@ class FieldKeeper {
 
   FieldKeeper(const Scenario& scenario, FieldSolver& solver, Settings settings);
   void work() noexcept;
+  void await_other(Turn turn) noexcept;
   void take_over(Engine& engine) noexcept;
   void ask(double time_s, const PositionColumns& at) noexcept;
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <optional>
 #include <thread>
 #include <utility>
 
@@ -9,6 +10,8 @@
 #include "controller/flight/field_keeper.hpp"
 #include "controller/flight/flight_config.hpp"
 #include "controller/flight/flight_loop.hpp"
+#include "controller/flight/flight_rights.hpp"
+#include "controller/flight/timing_summary.hpp"
 
 namespace mayfly {
 namespace {
@@ -17,6 +20,18 @@ namespace {
 int solver_threads(bool is_virtual) {
   const int cores = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
   return is_virtual ? cores : std::max(1, cores - 1);
+}
+
+// None on the virtual clock, which needs none.
+Result<std::optional<FlightRights>> take_rights(const FlightParts& parts) {
+  if (parts.clock.is_virtual()) {
+    return std::optional<FlightRights>();
+  }
+  auto rights = FlightRights::take(parts.scenario.control.realtime);
+  if (!rights) {
+    return fail(std::move(rights.error()));
+  }
+  return std::optional<FlightRights>(std::move(*rights));
 }
 
 }  // namespace
@@ -46,7 +61,15 @@ Result<Summary> fly(const FlightParts& parts) {
   }
   FlightLoop flight(parts, motion, keeper.get(), std::move(*governor),
                     Metrics(metrics_config(parts.scenario, parts.world, motion)));
+  auto rights = take_rights(parts);
+  if (!rights) {
+    return fail(std::move(rights.error()));
+  }
   Executor executor(parts.clock);
+  if (*rights) {
+    const int priority = (*rights)->granted().priority;
+    executor.set_realtime({priority, priority > 0 ? control_cpu() : -1, true});
+  }
   auto added = executor.add_task("control", static_cast<double>(parts.scenario.control.rate),
                                  [&flight](const TickInfo&) noexcept { flight.tick(); });
   if (!added) {
@@ -56,13 +79,16 @@ Result<Summary> fly(const FlightParts& parts) {
   if (auto activated = parts.hal.activate(parts.clock.now()); !activated) {
     return fail(std::move(activated.error()));
   }
-  executor.run(from_seconds(parts.scenario.duration), flight.finished());
+  const auto flown = executor.run(from_seconds(parts.scenario.duration), flight.finished());
   const double wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   auto deactivated = parts.hal.deactivate(parts.clock.now());
   if (!deactivated) {
     return fail(std::move(deactivated.error()));
   }
-  return flight.summarise(executor, wall_s);
+  if (!flown) {
+    return fail(flown.error());
+  }
+  return flight.summarise(control_summary(executor, *rights ? &**rights : nullptr, {}), wall_s);
 }
 
 }  // namespace mayfly

@@ -7,7 +7,6 @@
 #include <optional>
 #include <vector>
 
-#include "controller/executor/executor.hpp"
 #include "controller/flight/estimate.hpp"
 #include "controller/flight/fault_log.hpp"
 #include "controller/flight/field_keeper.hpp"
@@ -31,7 +30,7 @@ class FlightLoop {
   void tick() noexcept;
 
   const std::atomic<bool>& finished() const { return finished_; }
-  Summary summarise(const Executor& executor, double wall_s) const;
+  Summary summarise(ControlSummary timing, double wall_s) const;
 
  private:
   struct Columns3 {

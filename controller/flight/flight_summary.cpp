@@ -1,15 +1,12 @@
 // What a flight came to: the last thing that is asked of a FlightLoop.
 #include <algorithm>
+#include <utility>
 
 #include "controller/flight/expectations.hpp"
 #include "controller/flight/flight_loop.hpp"
 
 namespace mayfly {
 namespace {
-
-std::optional<LatencySummary> told(const std::optional<Percentiles>& p) {
-  return p ? std::optional(LatencySummary{p->p50, p->p99, p->p999, p->max}) : std::nullopt;
-}
 
 bool has_mde(const Scenario& scenario) {
   return std::any_of(scenario.swarms.begin(), scenario.swarms.end(), [](const SwarmSpec& swarm) {
@@ -33,7 +30,7 @@ std::vector<std::optional<double>> asked_for(const Scenario& scenario, const Met
 
 }  // namespace
 
-Summary FlightLoop::summarise(const Executor& executor, double wall_s) const {
+Summary FlightLoop::summarise(ControlSummary timing, double wall_s) const {
   const Scenario& scenario = parts_.scenario;
   Summary s;
   s.scenario = scenario.name;
@@ -67,13 +64,7 @@ Summary FlightLoop::summarise(const Executor& executor, double wall_s) const {
   s.max_acceleration_mps2 = measured.max_acceleration_mps2;
   s.governor_interventions = governor_.counters().interventions;
   s.faults = faults_.told(parts_.hal.robots());
-  const TaskStats control = executor.stats().front();
-  s.control = {control.rate_hz,
-               control.ticks,
-               control.missed,
-               control.missed_by_machine,
-               parts_.clock.is_virtual() ? std::nullopt : told(control.jitter),
-               told(control.run)};
+  s.control = std::move(timing);
   s.preprocessing_s = parts_.world.preprocessing;
   if (keeper_ != nullptr) {
     s.fields = keeper_->summary();

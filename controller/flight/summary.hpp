@@ -12,13 +12,44 @@ struct LatencySummary {  // µs
   double p50 = 0, p99 = 0, p999 = 0, max = 0;
 };
 
-struct ControlSummary {
+struct Spread {
+  double p50 = 0, p99 = 0, max = 0;
+};
+
+// One task of the executor.
+struct TaskSummary {
+  std::string name;
+  std::string thread;  // "control", or "own" of a planner
   double rate_hz = 0;
   std::uint64_t ticks = 0;
   std::uint64_t missed = 0;                 // releases that no tick served in time
   std::uint64_t missed_by_machine = 0;      // of them, where we slept in time and the machine woke us late
   std::optional<LatencySummary> jitter_us;  // wake-up minus scheduled release; a virtual clock has none
   std::optional<LatencySummary> run_us;     // our own work
+};
+
+// A value that crosses from one task to another, as its consumer finds it.
+struct AgeSummary {
+  std::string name;  // "curl_noise to control"
+  double limit_s = 0;
+  std::uint64_t expired = 0;    // times it was older than the limit
+  std::optional<Spread> age_s;  // at every look; empty where there never was a value
+};
+
+struct ControlSummary {
+  double rate_hz = 0;
+  std::uint64_t ticks = 0;
+  std::uint64_t missed = 0;
+  std::uint64_t missed_by_machine = 0;
+  std::optional<LatencySummary> jitter_us;
+  std::optional<LatencySummary> run_us;
+  // "virtual" where no right is needed, "granted", or "degraded": flown without the rights below.
+  std::string realtime = "virtual";
+  std::vector<std::string> missing_rights;
+  // How late a bare thread was woken beside the control thread, with its priority and on its processor.
+  std::optional<LatencySummary> witness_us;
+  std::vector<TaskSummary> tasks;  // control first
+  std::vector<AgeSummary> ages;
 };
 
 struct FaultEvent {
@@ -38,10 +69,6 @@ struct ExpectationResult {
 struct PreprocessingSummary {
   double distance = 0, noise = 0, cost = 0;  // s
   bool distance_cached = false, cost_cached = false;
-};
-
-struct Spread {
-  double p50 = 0, p99 = 0, max = 0;
 };
 
 // Of fields that are solved again in flight: where goals or obstacles move, or density counts.

@@ -27,6 +27,8 @@ ScenarioResult build_scenario(const YamlNode& root, const std::filesystem::path&
   scenario.seed = static_cast<std::uint64_t>(top.integer("seed"));
   scenario.duration = top.number("duration");
   scenario.control.rate = top.map("control").number_f("rate");
+  scenario.control.realtime =
+      top.map("control").choice("realtime") == 0 ? RealtimePolicy::kIgnore : RealtimePolicy::kEnforce;
   scenario.record.rate = top.map("record").number_f("rate");
   scenario.world = build_world(top.map("world"), roots, findings);
   scenario.hals = build_hals(top, scenario.control.rate, findings);

@@ -148,8 +148,12 @@ struct HalSpec {
   SimHalSpec sim;  // kind: sim is the only one so far
 };
 
+// On the real clock, where the system refuses priority or locked memory.
+enum class RealtimePolicy { kIgnore, kEnforce };
+
 struct ControlSpec {
   float rate = 100.0F;  // Hz
+  RealtimePolicy realtime = RealtimePolicy::kIgnore;
 };
 
 struct RecordSpec {

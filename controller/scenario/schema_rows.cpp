@@ -68,6 +68,13 @@ void add_run_rows(Rows& rows) {
                   .max = 1e4,
                   .fallback = "100",
                   .text = "Ticks a second."});
+  rows.push_back({.path = "control.realtime",
+                  .type = KeyType::kChoice,
+                  .fallback = "ignore",
+                  .choices = {"ignore", "enforce"},
+                  .text =
+                      "On the real clock, where the system refuses priority or locked memory: fly without "
+                      "and say so, or refuse to fly."});
   rows.push_back({.path = "record", .type = KeyType::kMap, .text = "The recording."});
   rows.push_back({.path = "record.rate",
                   .type = KeyType::kNumber,

@@ -49,6 +49,8 @@ TEST(Reference, SummaryPageHasEveryKeyOfTheFile) {
   Summary summary;
   summary.faults.emplace_back();
   summary.expect.emplace_back();
+  summary.control.tasks.emplace_back();
+  summary.control.ages.emplace_back();
   Names keys;
   add_keys(nlohmann::json::parse(record::to_json(summary)), "", keys);
   EXPECT_EQ(first_column("summary.md"), keys);

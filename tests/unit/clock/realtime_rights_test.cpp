@@ -74,6 +74,21 @@ TEST(RealtimeRights, TheReportIsWhatTheSystemSays) {
   EXPECT_EQ(failed, 0);
 }
 
+TEST(RealtimeRights, AThreadKeepsToTheLastProcessorAndGetsAllBack) {
+  const int failed = failed_check_in_child([] {
+    const std::vector<int> all = allowed_cpus();
+    if (all.empty()) return 1;
+    if (!pin_thread(all.front())) return 2;
+    if (allowed_cpus() != std::vector<int>{all.front()}) return 3;
+    if (control_cpu() != -1) return 4;  // nothing to choose
+    if (!allow_cpus(all) || allowed_cpus() != all) return 5;
+    if (control_cpu() != (all.size() > 1 ? all.back() : -1)) return 6;
+    if (pin_thread(-1) || pin_thread(1 << 20) || allow_cpus({})) return 7;
+    return allowed_cpus() == all ? 0 : 8;
+  });
+  EXPECT_EQ(failed, 0);
+}
+
 TEST(RealtimeRights, APriorityOutsideTheRangeIsBroughtIntoIt) {
   const int failed = failed_check_in_child([] {
     become_ordinary_user();

@@ -22,6 +22,8 @@ std::vector<std::string> keys_of(const Json& object) {
 
 Summary full() {
   Summary summary;
+  summary.control.tasks.emplace_back().name = "control";
+  summary.control.ages.emplace_back().name = "curl_noise to control";
   summary.faults.push_back({1.5, "flies_3", "sim", "silent"});
   summary.expect.push_back({"reached flies at exit", 1.0, ">= 0.99", true});
   return summary;
@@ -36,7 +38,12 @@ TEST(SummaryJson, KeysAreTheContract) {
                           "governor_interventions", "faults", "max_speed_mps", "max_acceleration_mps2",
                           "control", "preprocessing_s", "fields", "expect"));
   EXPECT_THAT(keys_of(json["control"]),
-              ElementsAre("rate_hz", "ticks", "missed", "missed_by_machine", "jitter_us", "run_us"));
+              ElementsAre("rate_hz", "ticks", "missed", "missed_by_machine", "jitter_us", "run_us",
+                          "realtime", "missing_rights", "witness_us", "tasks", "ages"));
+  EXPECT_THAT(keys_of(json["control"]["tasks"][0]),
+              ElementsAre("name", "thread", "rate_hz", "ticks", "missed", "missed_by_machine", "jitter_us",
+                          "run_us"));
+  EXPECT_THAT(keys_of(json["control"]["ages"][0]), ElementsAre("name", "limit_s", "expired", "age_s"));
   EXPECT_THAT(keys_of(json["control"]["jitter_us"]), ElementsAre("p50", "p99", "p999", "max"));
   EXPECT_THAT(keys_of(json["control"]["run_us"]), ElementsAre("p50", "p99", "p999", "max"));
   EXPECT_THAT(keys_of(json["preprocessing_s"]), ElementsAre("distance", "noise", "cost"));
