@@ -1,5 +1,6 @@
 // Every allocation by which a control tick breaks its promise is counted: core/armed_tick.hpp. It costs the
 // others one look at a number of the thread's own.
+#include <cstddef>
 #include <cstdlib>
 #include <new>
 
