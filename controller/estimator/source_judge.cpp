@@ -80,12 +80,15 @@ bool SourceJudge::freezes(Repeat& repeat, const Sample& sample,
   const Place& place = sample.value.position;
   repeat.stamp = sample.stamp;
   if (repeat.equal == 0 || repeat.place != place) {
-    repeat = {1, sample.stamp, place, told, false};
+    repeat = {1, sample.stamp, place, told, told, false};
     return false;
   }
-  ++repeat.equal;
+  // Only those count before which it was told to move.
+  repeat.equal += told == repeat.told ? 0 : 1;
+  repeat.told = told;
   const double least = std::max({kLeastTravel, resolution_, kPlaceRounding * place.cwiseAbs().maxCoeff()});
-  repeat.frozen = repeat.frozen || (repeat.equal >= frozen_samples_ && (told - repeat.told).norm() > least);
+  repeat.frozen =
+      repeat.frozen || (repeat.equal >= frozen_samples_ && (told - repeat.first_told).norm() > least);
   return repeat.frozen;
 }
 

@@ -56,10 +56,11 @@ class SourceJudge {
  private:
   // Poses that are the same, bit for bit.
   struct Repeat {
-    int equal = 0;
+    int equal = 0;  // while told to move
     Time stamp = Time::min();
     Place place = Place::Zero();
-    Eigen::RowVector3d told = Eigen::RowVector3d::Zero();  // m, when the first of them came
+    Eigen::RowVector3d first_told = Eigen::RowVector3d::Zero();  // m, when the first of them came
+    Eigen::RowVector3d told = Eigen::RowVector3d::Zero();        // m, when the last did
     bool frozen = false;
   };
   bool freezes(Repeat& repeat, const Sample& sample, const Eigen::RowVector3d& told) const noexcept;

@@ -43,16 +43,17 @@ void ToldMotion::pass(double seconds, bool commanded) noexcept {
     Model& model = models_[r];
     const auto lag = static_cast<double>(limits_[r].response_time);
     const double share = lag > 0.0 ? 1.0 - std::exp(-seconds / lag) : 1.0;
-    Velocity change = -share * model.velocity;
-    if (commanded) {
-      change += share * wanted_[r];
-    }
+    const Velocity wanted = commanded ? wanted_[r] : Velocity(Velocity::Zero());
+    Velocity change = share * (wanted - model.velocity);
     const double most = static_cast<double>(limits_[r].acceleration) * seconds;
     const double size = change.norm();
     if (size > most) {
       change *= most / size;
     }
-    model.travel += seconds * (model.velocity + 0.5 * change);
+    // Who brakes is told to stand: it may do so sooner than the model.
+    if (!wanted.isZero(0.0)) {
+      model.travel += seconds * (model.velocity + 0.5 * change);
+    }
     model.velocity += change;
   }
 }

@@ -21,7 +21,7 @@ class ToldMotion {
   // Columns as long as there are robots, or longer; shorter ones are ignored.
   void told(Time now, const CommandColumns& commands) noexcept;
 
-  // m, since the beginning.
+  // m, since the beginning, of the times in which it was told to move.
   const Eigen::RowVector3d& travel(std::size_t robot) const noexcept { return models_[robot].travel; }
   bool stands(std::size_t robot) const noexcept { return models_[robot].velocity.norm() < kStanding; }
 
