@@ -1,15 +1,17 @@
 #include "controller/estimator/source_judge.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace mayfly::estimator {
 namespace {
 
 // This many jumps in a row are believed, once they have been told.
 constexpr int kBelieved = 3;
-// m: who was told to go less far may well be where it was. Motors have a dead band, floats a resolution.
+// m: who was told to go less far may well be where it was. Motors have a dead band.
 constexpr double kLeastTravel = 1e-3;
 constexpr double kPlaceRounding = 0x1p-20;
+constexpr double kCellDiagonal = 1.7320508075688772;
 // m: who stays within it stands.
 constexpr double kStill = 5e-3;
 
@@ -42,11 +44,11 @@ SampleFate SourceJudge::judge(std::size_t robot, const Sample& sample, const Ste
   const PoseGate gate = this->gate(robot);
   const Place& place = sample.value.position;
   // Nor because the real robot, or the belief, drifts towards it.
+  const Sample& other = suspect.last;  // a late sample comes before it
+  const double between = std::abs(to_seconds(sample.stamp - other.stamp));
   const bool goes_on =
-      suspect.jumps > 0 && sample.stamp >= suspect.last.stamp &&
-      gate.follows(suspect.last.value.position, to_seconds(sample.stamp - suspect.last.stamp),
-                   sample.value) &&
-      (place - suspect.last.value.position).norm() < (place - last.belief.place_after(seconds)).norm();
+      suspect.jumps > 0 && gate.follows(other.value.position, between, sample.value) &&
+      (place - other.value.position).norm() < (place - last.belief.place_after(seconds)).norm();
   if (!goes_on && gate.fits(last.belief, seconds, sample.value)) {
     suspect = {};
     return SampleFate::kTaken;
@@ -86,7 +88,9 @@ bool SourceJudge::freezes(Repeat& repeat, const Sample& sample,
   // Only those count before which it was told to move.
   repeat.equal += told == repeat.told ? 0 : 1;
   repeat.told = told;
-  const double least = std::max({kLeastTravel, resolution_, kPlaceRounding * place.cwiseAbs().maxCoeff()});
+  // A place is the same anywhere in a cell of the resolution: as far as from corner to corner.
+  const double least =
+      kLeastTravel + kCellDiagonal * resolution_ + kPlaceRounding * place.cwiseAbs().maxCoeff();
   repeat.frozen =
       repeat.frozen || (repeat.equal >= frozen_samples_ && (told - repeat.first_told).norm() > least);
   return repeat.frozen;

@@ -76,17 +76,19 @@ TEST(FrozenPose, ARobotThatLagsIsGivenTheTime) {
   config.sources[0].resolution = 0.005F;
   Rig rig(config);
   const int tick = frozen_tick(rig, {0.5, 0.0, 0.0}, 100);
-  // v (t − τ (1 − e^(−t/τ))) = 5 mm at t = 0.103 s.
-  EXPECT_GE(tick, 11);
-  EXPECT_LE(tick, 13);
+  // v (t − τ (1 − e^(−t/τ))) is 1 mm and the cell's 8.7 mm at t = 0.145 s.
+  EXPECT_GE(tick, 15);
+  EXPECT_LE(tick, 17);
 }
 
-TEST(FrozenPose, WithinTheResolutionAPlaceMayStay) {
+TEST(FrozenPose, WithinACellOfTheResolutionAPlaceMayStay) {
   EstimatorConfig config = config_of(1);
-  config.sources[0].resolution = 0.02F;
+  config.sources[0].resolution = 0.01F;
   Rig rig(config);
-  EXPECT_EQ(frozen_tick(rig, {0.1, 0.0, 0.0}, 20), 0);
-  EXPECT_GT(frozen_tick(rig, {0.1, 0.0, 0.0}, 20), 0);
+  // At 0.1 m/s: 18.3 mm after 0.183 s.
+  EXPECT_EQ(frozen_tick(rig, {0.1, 0.0, 0.0}, 18), 0);
+  Rig longer(config);
+  EXPECT_EQ(frozen_tick(longer, {0.1, 0.0, 0.0}, 40), 20);
 }
 
 TEST(FrozenPose, OneBitIsADifference) {
