@@ -26,7 +26,8 @@ TEST(FrozenPose, FourEqualOnesAreNone) {
   Rig rig(config_of(1));
   EXPECT_EQ(frozen_tick(rig, {1.0, 0.0, 0.0}, 4), 0);
   for (int i = 0; i < 50; ++i) {
-    rig.put(0, {1.001 + 0.001 * (i / 4), 2.0, 3.0});
+    const int step = i / 4;
+    rig.put(0, {1.001 + 0.001 * step, 2.0, 3.0});
     rig.tick();
     ASSERT_FALSE(rig.has(0, Symptom::kFrozenPose));
   }

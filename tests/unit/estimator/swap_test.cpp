@@ -34,6 +34,7 @@ class Swap : public ::testing::Test {
   }
   bool is_told() const { return rig.estimator.estimate().everybody.has(Symptom::kIdSwap); }
 
+ public:
   Rig rig;
   std::vector<std::size_t> column;  // where a robot's samples stand
   std::vector<Vec> place, velocity;
