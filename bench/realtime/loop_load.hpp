@@ -17,7 +17,6 @@ class LoopLoad {
     for (auto* column : {&x_, &y_, &z_, &vx_, &vy_, &vz_, &wx_, &wy_, &wz_, &ox_, &oy_, &oz_}) {
       column->assign(agents, 0.0F);
     }
-    stamp_.assign(agents, Time{0});
     valid_.assign(agents, 1);
     kind_.assign(agents, CommandKind::kNone);
     std::mt19937 random(1);
@@ -30,9 +29,7 @@ class LoopLoad {
   }
 
   void govern(Time now) noexcept {
-    std::fill(stamp_.begin(), stamp_.end(), now);
-    governor_.govern(now, {x_, y_, z_, vx_, vy_, vz_, stamp_, valid_}, {wx_, wy_, wz_},
-                     {kind_, ox_, oy_, oz_});
+    governor_.govern(now, {x_, y_, z_, vx_, vy_, vz_, valid_}, {wx_, wy_, wz_}, {kind_, ox_, oy_, oz_});
   }
   void measure() noexcept { metrics_.observe({x_, y_, z_, ox_, oy_, oz_}); }
   void move(float seconds) noexcept {
@@ -45,7 +42,6 @@ class LoopLoad {
   static GovernorConfig governor_config(std::size_t agents, float box, Time period) {
     GovernorConfig config;
     config.period = period;
-    config.max_state_age = 5 * period;
     config.fence = {glm::vec3(0.0F), glm::vec3(box)};
     config.groups = {{0, agents, GovernorLimits{}, true}};
     return config;
@@ -61,7 +57,6 @@ class LoopLoad {
   Governor governor_;
   Metrics metrics_;
   std::vector<float> x_, y_, z_, vx_, vy_, vz_, wx_, wy_, wz_, ox_, oy_, oz_;
-  std::vector<Time> stamp_;
   std::vector<std::uint8_t> valid_;
   std::vector<CommandKind> kind_;
 };

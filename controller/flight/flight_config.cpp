@@ -25,10 +25,14 @@ ObstacleView obstacle_view(const World& world, const Motion& motion) {
 
 }  // namespace
 
+Time most_state_age(const Scenario& scenario) {
+  const Time period = from_seconds(1.0 / static_cast<double>(scenario.control.rate));
+  return std::max(kStatePeriods * period, from_seconds(kStateSeconds));
+}
+
 GovernorConfig governor_config(const Scenario& scenario, const World& world, const Motion& motion) {
   GovernorConfig config;
   config.period = from_seconds(1.0 / static_cast<double>(scenario.control.rate));
-  config.max_state_age = std::max(kStatePeriods * config.period, from_seconds(kStateSeconds));
   config.fence = scenario.world.bounds;
   config.obstacles = obstacle_view(world, motion);
   std::size_t first = 0;
@@ -42,6 +46,7 @@ GovernorConfig governor_config(const Scenario& scenario, const World& world, con
     group.limits.braking = swarm.limits.acceleration;
     group.limits.radius = swarm.radius;
     group.limits.response_time = response_time(scenario, swarm);
+    group.limits.follows = follows(scenario, swarm);
     config.groups.push_back(group);
     first += group.count;
   }

@@ -9,6 +9,9 @@
 
 namespace mayfly {
 
+// An older state is not flown by.
+Time most_state_age(const Scenario& scenario);
+
 // Both ask the world for exact distances where its sampled field cannot decide, and see goals and obstacles
 // where `motion` has them: world and motion must outlive them.
 GovernorConfig governor_config(const Scenario& scenario, const World& world, const Motion& motion);

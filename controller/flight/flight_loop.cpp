@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "controller/flight/flight_config.hpp"
 #include "controller/flight/swarm_models.hpp"
 
 namespace mayfly {
@@ -53,6 +54,8 @@ FlightLoop::FlightLoop(const FlightParts& parts, Motion& motion, FieldKeeper* ke
       ahead_(agents_),
       desired_(agents_),
       command_(agents_),
+      known_(agents_),
+      authority_(agents_, Authority::kGoverned),
       kind_(agents_, CommandKind::kHold),
       goal_sources_(parts.scenario.swarms.size()) {}
 
@@ -156,6 +159,16 @@ void FlightLoop::count_infeasible(Time now, std::size_t infeasible) noexcept {
   }
 }
 
+// A stamp from the future would never grow old.
+void FlightLoop::judge_ages(Time now) noexcept {
+  const Time most = most_state_age(parts_.scenario);
+  for (std::size_t a = 0; a < agents_; ++a) {
+    const Time age = now - estimate_.stamp[a];
+    known_[a] = estimate_.valid[a] != 0 && age <= most && age >= -most ? 1 : 0;
+    authority_[a] = roster_.is_there(a) ? Authority::kGoverned : Authority::kAbsent;
+  }
+}
+
 void FlightLoop::decide(Time now) noexcept {
   look_ahead();
   const TickTime tick{ticks_, seconds_flown(now), static_cast<float>(to_seconds(period_))};
@@ -167,10 +180,11 @@ void FlightLoop::decide(Time now) noexcept {
   const std::string_view fault = parts_.engine.fault();
   note(engine_source_, now,
        {fault.empty() ? HalFault::kNone : HalFault::kLinkDown, kEveryRobot, parts_.engine.name(), fault});
-  governor_.govern(now,
-                   {estimate_.x, estimate_.y, estimate_.z, estimate_.vx, estimate_.vy, estimate_.vz,
-                    estimate_.stamp, estimate_.valid},
-                   {desired_.x, desired_.y, desired_.z}, {kind_, command_.x, command_.y, command_.z});
+  judge_ages(now);
+  governor_.govern(
+      now,
+      {estimate_.x, estimate_.y, estimate_.z, estimate_.vx, estimate_.vy, estimate_.vz, known_, authority_},
+      {desired_.x, desired_.y, desired_.z}, {kind_, command_.x, command_.y, command_.z});
   for (std::size_t a = 0; a < agents_ && roster_.changes(); ++a) {
     kind_[a] = roster_.is_there(a) ? kind_[a] : CommandKind::kHold;
   }

@@ -51,6 +51,7 @@ class FlightLoop {
   void count_infeasible(Time now, std::size_t infeasible) noexcept;
   void renew_fields(Time now) noexcept;
   void look_ahead() noexcept;
+  void judge_ages(Time now) noexcept;
   void decide(Time now) noexcept;
   void write(Time now) noexcept;
   void show(Time now) noexcept;
@@ -73,6 +74,8 @@ class FlightLoop {
   Columns3 ahead_;
   Columns3 desired_;
   Columns3 command_;
+  std::vector<std::uint8_t> known_;  // one an agent: whether its state is young enough to fly by
+  std::vector<Authority> authority_;
   std::vector<CommandKind> kind_;
   FaultLog faults_;
   FaultLog::Source hal_source_, state_source_, write_source_, engine_source_, solver_source_,

@@ -170,6 +170,11 @@ float response_time(const Scenario& scenario, const SwarmSpec& swarm) {
              : 0.0F;
 }
 
+Follows follows(const Scenario& scenario, const SwarmSpec& swarm) {
+  const auto hal = hal_of(scenario, swarm);
+  return hal && hal->sim.plant == PlantKind::kIdeal ? Follows::kAtOnce : Follows::kAccelerating;
+}
+
 float realtime_latency(const Scenario& scenario, const SwarmSpec& swarm) {
   const auto hal = hal_of(scenario, swarm);
   return 1.0F / scenario.control.rate + (hal ? 1.0F / hal->sim.rate : 0.0F);

@@ -5,6 +5,7 @@
 
 #include "controller/engine/engine.hpp"
 #include "controller/flight/world.hpp"
+#include "controller/governor/governor_config.hpp"
 #include "controller/scenario/scenario.hpp"
 
 namespace mayfly {
@@ -32,6 +33,9 @@ float wall_reach(const Scenario& scenario, const SwarmSpec& swarm, float cell);
 // How long a swarm's robots take to fly as they are told, s: the lag of their velocity and the age of what is
 // known of them.
 float response_time(const Scenario& scenario, const SwarmSpec& swarm);
+
+// How its robots get to the velocity that they are told.
+Follows follows(const Scenario& scenario, const SwarmSpec& swarm);
 
 // On the real clock, control and a simulated robot each act on what the other did up to a period ago, s.
 float realtime_latency(const Scenario& scenario, const SwarmSpec& swarm);

@@ -2,24 +2,25 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/geometric.hpp>
+#include <utility>
 
 namespace mayfly {
 namespace {
 
 // Relative; below it a command that exceeds a limit is taken for one that was rounded.
 constexpr double kRounding = 1e-6;
-// A robot that is said to start at more than this many times its speed limit is not believed, and holds.
-constexpr double kBelievable = 10.0;
 // Between braking (0) and what is wanted (1), in the order in which they are tried.
 constexpr double kShares[] = {1.0, 0.5, 0.25};
+constexpr std::uint64_t kMostSkipped = 1000;
 
 bool finite(glm::vec3 v) {
   return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
-glm::vec3 at(std::span<const float> x, std::span<const float> y, std::span<const float> z, std::size_t i) {
-  return {x[i], y[i], z[i]};
+bool columns_fit(std::size_t agents, const DesiredColumns& desired, const GovernedColumns& out) noexcept {
+  const std::size_t least = std::min({desired.vx.size(), desired.vy.size(), desired.vz.size(),
+                                      out.kind.size(), out.vx.size(), out.vy.size(), out.vz.size()});
+  return least >= agents && (out.symptoms.empty() || out.symptoms.size() >= agents);
 }
 
 }  // namespace
@@ -31,118 +32,105 @@ Result<Governor> Governor::make(GovernorConfig config) {
   return Governor(std::move(config));
 }
 
-Governor::Governor(GovernorConfig config) : config_(std::move(config)), period_(to_seconds(config_.period)) {
-  const auto low = glm::dvec3(config_.fence.min);
-  const auto high = glm::dvec3(config_.fence.max);
-  // Positions arrive as floats: what this can shift is kept besides.
-  const double rounding = kRounding * (1.0 + glm::length(low) + glm::length(high));
-  for (const GovernorGroup& spec : config_.groups) {
-    const GovernorLimits& limits = spec.limits;
-    const double kept = static_cast<double>(limits.radius) + limits.tube;
-    const double change = limits.acceleration * period_;
-    Group group;
-    group.spec = spec;
-    group.brake_step = limits.braking * period_;
-    group.change_limit = change;
-    group.fence_low = low + (kept + rounding);
-    group.fence_high = high - (kept + rounding);
-    // A tenth of the body, and what a tick's path may leave its chord by: the robot must be able to start
-    // again.
-    group.clearance = {kept, std::max(0.1 * limits.radius, 1e-3) + 0.625 * period_ * change};
-    groups_.push_back(group);
-  }
-  const std::size_t agents = groups_.empty() ? 0 : config_.groups.back().first + config_.groups.back().count;
-  reference_.resize(agents);
+Governor::Governor(GovernorConfig config)
+    : config_(std::move(config)), fence_(config_.fence, config_.half_spaces), fleet_(config_) {}
+
+GovernorReference Governor::reference(std::size_t agent) const noexcept {
+  const Reference& reference = fleet_.robot(agent).reference;
+  return {reference.body(), reference.velocity(), reference.known()};
 }
 
 void Governor::govern(Time now, const GovernorState& state, const DesiredColumns& desired,
                       const GovernedColumns& out) noexcept {
   ++counters_.ticks;
-  if (!fits(state, desired, out)) {
+  const std::uint64_t ticks = ticks_since_last(now);
+  if (!columns_fit(agents(), state) || !columns_fit(agents(), desired, out)) {
     ++counters_.refused_calls;
     std::fill(out.kind.begin(), out.kind.end(), CommandKind::kHold);
+    fleet_.forget();
     return;
   }
-  for (const Group& group : groups_) {
-    for (std::size_t i = group.spec.first; i < group.spec.first + group.spec.count; ++i) {
-      const Decision decision = decide(group, i, now, state, at(desired.vx, desired.vy, desired.vz, i));
-      const auto command = glm::vec3(decision.command);
-      reference_[i].velocity = command;
-      out.kind[i] = decision.hold ? CommandKind::kHold : CommandKind::kVelocity;
-      out.vx[i] = command.x;
-      out.vy[i] = command.y;
-      out.vz[i] = command.z;
-      count(decision);
+  fleet_.settle(state, ticks);
+  // Whoever comes first has the most room, so the first is another each tick.
+  const std::size_t first = agents() == 0 ? 0 : counters_.ticks % agents();
+  for (std::size_t n = 0; n < agents(); ++n) {
+    const std::size_t i = first + n < agents() ? first + n : first + n - agents();
+    const glm::dvec3 off = off_reference(i);
+    nudge(i, off);
+    const Decision decision = decide(i, {desired.vx[i], desired.vy[i], desired.vz[i]});
+    tell(i, decision, out);
+    if (!out.symptoms.empty()) {
+      out.symptoms[i] = symptoms_of(i, decision, length3(off));
     }
   }
 }
 
-bool Governor::fits(const GovernorState& state, const DesiredColumns& desired,
-                    const GovernedColumns& out) const noexcept {
-  const std::size_t least =
-      std::min({state.x.size(), state.y.size(), state.z.size(), state.vx.size(), state.vy.size(),
-                state.vz.size(), state.stamp.size(), state.valid.size(), desired.vx.size(), desired.vy.size(),
-                desired.vz.size(), out.kind.size(), out.vx.size(), out.vy.size(), out.vz.size()});
-  return least >= agents();
+std::uint64_t Governor::ticks_since_last(Time now) noexcept {
+  const Time before = std::exchange(last_, now);
+  if (before == Time::min() || now <= before) {
+    return 1;
+  }
+  const Time half = config_.period / 2;
+  const auto ticks = static_cast<std::uint64_t>((now - before + half) / config_.period);
+  const std::uint64_t counted = std::clamp<std::uint64_t>(ticks, 1, kMostSkipped);
+  counters_.skipped_ticks += counted - 1;
+  return counted;
 }
 
-Governor::Decision Governor::decide(const Group& group, std::size_t agent, Time now,
-                                    const GovernorState& state, glm::vec3 desired) noexcept {
+Governor::Decision Governor::decide(std::size_t i, glm::vec3 desired) noexcept {
   Decision decision;
-  Reference& reference = reference_[agent];
-  const glm::vec3 measured = at(state.vx, state.vy, state.vz, agent);
-  bool known = check_state(agent, now, state, decision);
-  if (known && !reference.known &&
-      !(glm::length(glm::dvec3(measured)) <= kBelievable * group.spec.limits.speed)) {
-    decision.add(GovernorReason::kInvalidState);
-    known = false;
+  const GroupModel& group = fleet_.group_of(i);
+  const FleetRobot& robot = fleet_.robot(i);
+  const bool moves = may_move(i, desired, decision);
+  if (moves) {
+    decision.command = limit(group, glm::dvec3(robot.sent), glm::dvec3(desired), decision);
+    if (!group.spec.enabled || reserve_free(i, decision.command, decision)) {
+      return decision;
+    }
   }
-  if (known && !reference.known) {
-    reference = {measured, true};
+  decision.command = brake(glm::dvec3(robot.sent), group.braking.step());
+  const bool ordered = robot.authority != Authority::kGoverned || !robot.estimated;
+  if (ordered && decision.command == glm::dvec3(0.0)) {
+    decision.kind = robot.authority == Authority::kForeign ? CommandKind::kNone : CommandKind::kHold;
   }
-  const auto velocity = glm::dvec3(reference.velocity);
-  const bool commanded = finite(desired);
-  if (!commanded) {
-    decision.add(GovernorReason::kNotFinite);
-  }
-  if (!known || !commanded) {
-    decision.command = brake(velocity, group.brake_step);
-    decision.hold = !known && decision.command == glm::dvec3(0.0);
-    return decision;
-  }
-  decision.command = limit(group, velocity, glm::dvec3(desired), decision);
-  if (group.spec.enabled) {
-    const glm::dvec3 position = glm::dvec3(at(state.x, state.y, state.z, agent)) +
-                                static_cast<double>(group.spec.limits.response_time) * glm::dvec3(measured);
-    decision.command = reserve_free(group, position, velocity, decision.command, decision);
+  if (is_flown(robot.authority) && fleet_.claim(i).present && robot.reference.known()) {
+    const double speed = length3(glm::dvec3(robot.sent));
+    decision.nearness = fleet_.nearness_of(i, robot.braking, fleet_.claim(i), speed);
   }
   return decision;
 }
 
-bool Governor::check_state(std::size_t agent, Time now, const GovernorState& state,
-                           Decision& decision) const noexcept {
-  if (state.valid[agent] == 0 || !finite(at(state.x, state.y, state.z, agent)) ||
-      !finite(at(state.vx, state.vy, state.vz, agent))) {
-    decision.add(GovernorReason::kInvalidState);
-    return false;
+bool Governor::may_move(std::size_t i, glm::vec3 desired, Decision& decision) const noexcept {
+  const FleetRobot& robot = fleet_.robot(i);
+  switch (robot.authority) {
+    case Authority::kGoverned:
+      break;
+    case Authority::kBraking:
+    case Authority::kSilent:
+      decision.add(GovernorReason::kOrdered);
+      return false;
+    case Authority::kAtRest:
+    case Authority::kForeign:
+    case Authority::kAbsent:
+      return false;
   }
-  const Time stamp = state.stamp[agent];
-  // A stamp from the future would never grow old.
-  if (stamp < now - config_.max_state_age || stamp > now + config_.max_state_age) {
-    decision.add(GovernorReason::kStaleState);
-    return false;
+  if (!robot.estimated) {
+    decision.add(GovernorReason::kUnknown);
   }
-  return true;
+  if (!finite(desired)) {
+    decision.add(GovernorReason::kNotFinite);
+  }
+  return robot.estimated && finite(desired);
 }
 
 // Speed first, then the change of velocity: an agent that is too fast brakes along its way until it is legal,
 // because a faster cut would break the acceleration limit.
-glm::dvec3 Governor::limit(const Group& group, glm::dvec3 reference, glm::dvec3 desired,
+glm::dvec3 Governor::limit(const GroupModel& group, glm::dvec3 reference, glm::dvec3 desired,
                            Decision& decision) const noexcept {
   const double allowed = group.spec.limits.speed;
   const double slack = kRounding * allowed;
   glm::dvec3 wanted = desired;
-  const double speed = glm::length(desired);
+  const double speed = length3(desired);
   if (speed > allowed + slack) {
     decision.add(GovernorReason::kSpeed);
     wanted *= allowed / speed;
@@ -150,15 +138,15 @@ glm::dvec3 Governor::limit(const Group& group, glm::dvec3 reference, glm::dvec3 
   if (!group.spec.enabled) {
     return wanted;
   }
-  if (glm::length(reference) > allowed + slack) {
-    const glm::dvec3 braking = brake(reference, group.brake_step);
-    if (glm::length(braking - desired) > slack) {
+  if (length3(reference) > allowed + slack) {
+    const glm::dvec3 braking = brake(reference, group.braking.step());
+    if (length3(braking - desired) > slack) {
       decision.add(GovernorReason::kSpeed);
     }
     return braking;
   }
   const glm::dvec3 change = wanted - reference;
-  const double size = glm::length(change);
+  const double size = length3(change);
   if (size > group.change_limit + slack) {
     decision.add(GovernorReason::kAcceleration);
   }
@@ -166,46 +154,119 @@ glm::dvec3 Governor::limit(const Group& group, glm::dvec3 reference, glm::dvec3 
 }
 
 // All that is tried lies between two velocities that keep both limits, and both limits are balls: so does
-// everything here.
-glm::dvec3 Governor::reserve_free(const Group& group, glm::dvec3 position, glm::dvec3 reference,
-                                  glm::dvec3 wanted, Decision& decision) const noexcept {
-  const glm::dvec3 braking = brake(reference, group.brake_step);
+// everything here. False: only braking is left, or was wanted.
+bool Governor::reserve_free(std::size_t i, glm::dvec3 wanted, Decision& decision) noexcept {
+  const GroupModel& group = fleet_.group_of(i);
+  const glm::dvec3 braking = brake(glm::dvec3(fleet_.robot(i).sent), group.braking.step());
   const glm::dvec3 beyond = wanted - braking;
+  if (length3(beyond) <= kRounding * group.spec.limits.speed) {
+    return false;
+  }
   // What stood in the way of the command as it was wanted.
   GovernorReason first_cause = GovernorReason::kFence;
   for (const double share : kShares) {
     const glm::dvec3 command = share == 1.0 ? wanted : braking + share * beyond;
+    const Hull hull = fleet_.hull_of(i, command);
+    const Trial trial{hull, fleet_.claim_of(i, hull), length3(command)};
     GovernorReason cause = GovernorReason::kFence;
-    const Reservation reservation = reserve(position, reference, command, group.spec.limits.braking, period_);
-    if (admissible(group, reservation, cause)) {
+    if (admissible(i, trial, decision, cause)) {
+      decision.command = command;
+      fleet_.reserve(i, trial.claim);
       if (share != 1.0) {
         decision.add(first_cause);
       }
-      return command;
+      return true;
     }
     first_cause = share == 1.0 ? cause : first_cause;
   }
-  if (glm::length(beyond) > kRounding * group.spec.limits.speed) {
-    decision.add(first_cause);
-  }
-  return braking;
+  decision.add(first_cause);
+  return false;
 }
 
-// Distance to the other agents' reservations belongs here too, once it is governed.
-bool Governor::admissible(const Group& group, const Reservation& reservation,
-                          GovernorReason& obstacle) const noexcept {
-  if (!inside_fence(reservation, group.fence_low, group.fence_high)) {
-    obstacle = GovernorReason::kFence;
+bool Governor::admissible(std::size_t i, const Trial& trial, Decision& decision,
+                          GovernorReason& cause) noexcept {
+  cause = GovernorReason::kFence;
+  if (!fence_.holds(trial.hull, fleet_.robot(i).braking, fleet_.group_of(i).kept)) {
     return false;
   }
-  if (!config_.obstacles.empty() && !clear_of_obstacles(reservation, config_.obstacles, group.clearance)) {
-    obstacle = GovernorReason::kObstacle;
+  cause = GovernorReason::kNeighbour;
+  const Nearness nearness = fleet_.nearness_of(i, trial.hull, trial.claim, trial.speed);
+  if (nearness == Nearness::kTooNear) {
     return false;
   }
+  cause = GovernorReason::kObstacle;
+  if (!clear_of_all(i, trial)) {
+    return false;
+  }
+  decision.nearness = nearness;
   return true;
 }
 
-void Governor::count(const Decision& decision) noexcept {
+bool Governor::clear_of_all(std::size_t i, const Trial& trial) const noexcept {
+  const Clearance clearance = fleet_.group_of(i).clearance;
+  return config_.obstacles.empty() || clear_of_obstacles(trial.claim.capsule, config_.obstacles, clearance) ||
+         leaves_obstacle(trial.hull, fleet_.robot(i).reference.lead(), trial.claim.capsule.radius,
+                         config_.obstacles, clearance);
+}
+
+// From the reference to where the robot was measured; nothing where there is no such thing.
+glm::dvec3 Governor::off_reference(std::size_t i) const noexcept {
+  const FleetRobot& robot = fleet_.robot(i);
+  return is_flown(robot.authority) && robot.estimated && robot.reference.known()
+             ? robot.reference.way_to(robot.estimate)
+             : glm::dvec3(0.0);
+}
+
+// Moves a reference to where half the tube reaches the robot: no farther in a tick than it might have flown,
+// and with a tube only to where its reservation is free. Without one nothing is promised of the difference.
+void Governor::nudge(std::size_t i, glm::dvec3 way) noexcept {
+  const GroupModel& group = fleet_.group_of(i);
+  const double off = length3(way);
+  if (!group.spec.enabled || off <= group.nudge_from) {
+    return;
+  }
+  const glm::dvec3 step = way * (std::min(off - group.nudge_from, group.most_nudge) / off);
+  const Hull moved = fleet_.robot(i).braking.shifted(step);
+  const double speed = length3(glm::dvec3(fleet_.robot(i).reference.velocity()));
+  Decision unused;
+  GovernorReason cause = GovernorReason::kFence;
+  if (group.spec.limits.tube > 0.0F &&
+      !admissible(i, {moved, fleet_.claim_of(i, moved), speed}, unused, cause)) {
+    return;
+  }
+  fleet_.shift(i, step);
+  ++counters_.nudges;
+}
+
+Symptoms Governor::symptoms_of(std::size_t i, const Decision& decision, double off) const noexcept {
+  const GovernorLimits& limits = fleet_.group_of(i).spec.limits;
+  const FleetRobot& robot = fleet_.robot(i);
+  Symptoms symptoms;
+  if (!fleet_.group_of(i).spec.enabled || !is_flown(robot.authority)) {
+    return symptoms;
+  }
+  if (limits.tube > 0.0F && off > static_cast<double>(limits.tube)) {
+    symptoms.add(Symptom::kTrackingError);
+  }
+  if (robot.estimated && fence_.depth(robot.estimate) < limits.radius - fleet_.group_of(i).nudge_from) {
+    symptoms.add(Symptom::kOutOfFence);
+  }
+  if (decision.nearness != Nearness::kApart) {
+    symptoms.add(Symptom::kTooNear);
+  }
+  if (decision.has(GovernorReason::kNotFinite)) {
+    symptoms.add(Symptom::kCommandNotFinite);
+  }
+  return symptoms;
+}
+
+void Governor::tell(std::size_t i, const Decision& decision, const GovernedColumns& out) noexcept {
+  const auto command = glm::vec3(decision.command);
+  fleet_.robot(i).sent = command;
+  out.kind[i] = decision.kind;
+  out.vx[i] = command.x;
+  out.vy[i] = command.y;
+  out.vz[i] = command.z;
   if (decision.reasons == 0) {
     return;
   }

@@ -1,103 +1,90 @@
-// The last stage before the HAL: whatever is desired, what is commanded keeps the limits (docs: safety, the
-// governor).
+// The last stage before the HAL: whatever is desired, what is commanded keeps the promise
+// (docs/explanation/safety.md).
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
 #include <glm/vec3.hpp>
-#include <span>
-#include <vector>
 
+#include "controller/governor/fence.hpp"
+#include "controller/governor/fleet.hpp"
+#include "controller/governor/governor_columns.hpp"
 #include "controller/governor/governor_config.hpp"
-#include "controller/governor/reservation.hpp"
 #include "core/clock.hpp"
-#include "core/hal.hpp"
 
 namespace mayfly {
 
-// One element an agent; m, m/s, world frame. As StateColumns, to be read.
-struct GovernorState {
-  std::span<const float> x, y, z;
-  std::span<const float> vx, vy, vz;  // measured
-  std::span<const Time> stamp;
-  std::span<const std::uint8_t> valid;
-};
-struct DesiredColumns {
-  std::span<const float> vx, vy, vz;  // m/s; not finite means "no command"
-};
-struct GovernedColumns {
-  std::span<CommandKind> kind;
-  std::span<float> vx, vy, vz;
-};
-
-// For ANY desired velocities, and any robots whose velocity follows a command within a tick (at once, or
-// linearly, or in between) or lags behind it by the configured response time, every enabled agent that starts
-// inside the safe set keeps |v| ≤ speed, |Δv| ≤ acceleration·T, and its body inside the fence and out of
-// obstacles, also between ticks. The limits hold up to the rounding of the commands to float. One that starts
-// faster than its limit brakes until it is legal; one that starts outside the fence or too near an obstacle
-// may only come back.
+// For ANY desired velocities, every enabled agent that starts inside the safe set keeps |v| ≤ speed, |Δv| ≤
+// acceleration·T, its body inside the fence, out of obstacles and off all other enabled agents' bodies, also
+// between ticks, as long as its true place differs from its reference by no more than the tube. The limits
+// hold up to the rounding of commands to floats. One that starts faster than its limit brakes until it is
+// legal; one that starts outside the fence or too near to an obstacle or to another may only come back.
 //
-// Each tick it tries commands between braking and the desired one, and takes the first whose reservation
-// (reservation.hpp) is free. Braking needs no test: it never leaves what was reserved before. So there is
-// always an answer.
+// Each tick it tries commands between braking and the desired one, and takes the first whose reservation is
+// free. Braking needs no test: it never leaves what was reserved before. So there is always an answer.
 //
-// Not promised yet: distance between agents (admissible() is its place), progress, states that differ from
-// the truth by more than the tube, ticks that were skipped.
+// Not promised: progress, agents outside the model, places that differ from the truth by more than the tube.
 class Governor {
  public:
   // Allocates. Fails as check(config) does.
   static Result<Governor> make(GovernorConfig config);
 
-  // One tick. `now` is compared with the stamps. A robot without a valid state brakes, then holds.
+  // Whether the promise may begin here: names the first robot whose place is not known or not free, or the
+  // first two that are too near to each other, with the inequality. Changes nothing; allocates.
+  Result<void> admit(const GovernorState& state) const;
+
+  // One tick. `now` tells whether some were skipped: then robots flew on with their last commands. Neither
+  // allocates nor throws; columns that are too short are refused, and every robot is told to hold.
   void govern(Time now, const GovernorState& state, const DesiredColumns& desired,
               const GovernedColumns& out) noexcept;
 
-  std::size_t agents() const noexcept { return reference_.size(); }
+  std::size_t agents() const noexcept { return fleet_.size(); }
   const GovernorCounters& counters() const noexcept { return counters_; }
+  GovernorReference reference(std::size_t agent) const noexcept;
 
  private:
-  // What is known of one agent's robot, and what is decided for it, in a tick.
+  // What is decided for one agent in a tick.
   struct Decision {
     glm::dvec3 command{0.0};
-    bool hold = false;
-    std::uint32_t reasons = 0;  // bits by GovernorReason
+    CommandKind kind = CommandKind::kVelocity;
+    Nearness nearness = Nearness::kApart;  // of what is reserved now
+    std::uint32_t reasons = 0;             // bits by GovernorReason
 
-    void add(GovernorReason reason) { reasons |= 1U << static_cast<unsigned>(reason); }
+    void add(GovernorReason reason) { reasons |= bit(reason); }
+    bool has(GovernorReason reason) const { return (reasons & bit(reason)) != 0; }
+    static std::uint32_t bit(GovernorReason reason) { return 1U << static_cast<unsigned>(reason); }
   };
-  struct Group {
-    GovernorGroup spec;
-    double brake_step = 0.0;    // m/s a tick
-    double change_limit = 0.0;  // m/s a tick
-    glm::dvec3 fence_low{0.0};
-    glm::dvec3 fence_high{0.0};
-    Clearance clearance;
-  };
-  // The velocity that was commanded last, exactly as it was sent.
-  struct Reference {
-    glm::vec3 velocity{0.0F};
-    bool known = false;  // false until the first valid state: then the measured velocity is taken
+  // A command that is tried.
+  struct Trial {
+    Hull hull;
+    Claim claim;
+    double speed = 0.0;  // m/s
   };
 
   explicit Governor(GovernorConfig config);
-  bool fits(const GovernorState& state, const DesiredColumns& desired,
-            const GovernedColumns& out) const noexcept;
-  Decision decide(const Group& group, std::size_t agent, Time now, const GovernorState& state,
-                  glm::vec3 desired) noexcept;
-  bool check_state(std::size_t agent, Time now, const GovernorState& state,
+  std::uint64_t ticks_since_last(Time now) noexcept;
+
+  Decision decide(std::size_t i, glm::vec3 desired) noexcept;
+  bool may_move(std::size_t i, glm::vec3 desired, Decision& decision) const noexcept;
+  glm::dvec3 limit(const GroupModel& group, glm::dvec3 reference, glm::dvec3 desired,
                    Decision& decision) const noexcept;
-  glm::dvec3 limit(const Group& group, glm::dvec3 reference, glm::dvec3 desired,
-                   Decision& decision) const noexcept;
-  glm::dvec3 reserve_free(const Group& group, glm::dvec3 position, glm::dvec3 reference, glm::dvec3 wanted,
-                          Decision& decision) const noexcept;
-  bool admissible(const Group& group, const Reservation& reservation,
-                  GovernorReason& obstacle) const noexcept;
-  void count(const Decision& decision) noexcept;
+  bool reserve_free(std::size_t i, glm::dvec3 wanted, Decision& decision) noexcept;
+  bool admissible(std::size_t i, const Trial& trial, Decision& decision, GovernorReason& cause) noexcept;
+  bool clear_of_all(std::size_t i, const Trial& trial) const noexcept;
+
+  glm::dvec3 off_reference(std::size_t i) const noexcept;
+  void nudge(std::size_t i, glm::dvec3 off) noexcept;
+  Symptoms symptoms_of(std::size_t i, const Decision& decision, double off) const noexcept;
+  void tell(std::size_t i, const Decision& decision, const GovernedColumns& out) noexcept;
+
+  Result<void> admit_robot(std::size_t i);
+  Result<void> admit_pairs(std::size_t i);
 
   GovernorConfig config_;
-  double period_ = 0.0;  // s
-  std::vector<Group> groups_;
-  std::vector<Reference> reference_;
+  Fence fence_;
+  Fleet fleet_;
   GovernorCounters counters_;
+  Time last_{Time::min()};
 };
 
 }  // namespace mayfly

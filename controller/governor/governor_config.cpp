@@ -53,11 +53,8 @@ Result<void> check_fence(const Box& fence, const GovernorLimits& limits) {
 }  // namespace
 
 Result<void> check(const GovernorConfig& config) {
-  if (config.period <= Time{0} || config.max_state_age <= Time{0}) {
-    return refuse("the governor's period and age limit",
-                  std::to_string(to_seconds(config.period)) + " s, " +
-                      std::to_string(to_seconds(config.max_state_age)) + " s",
-                  "> 0 s");
+  if (config.period <= Time{0}) {
+    return refuse("the governor's period", std::to_string(to_seconds(config.period)) + " s", "> 0 s");
   }
   std::size_t next = 0;
   for (const GovernorGroup& group : config.groups) {

@@ -1,57 +1,62 @@
-// The space that a robot may need until it rests, and whether it is free (safety.md §1.2). The governor's
-// geometry, as pure functions in double precision.
+// The space that a robot may need until it rests: docs/explanation/safety.md, pure functions in double
+// precision.
 #pragma once
 
-#include <glm/geometric.hpp>
+#include <array>
+#include <cstddef>
 #include <glm/vec3.hpp>
+#include <span>
 
-#include "controller/governor/obstacle_view.hpp"
-#include "core/grid.hpp"
+#include "controller/governor/capsule.hpp"
+#include "controller/governor/governor_config.hpp"
 
 namespace mayfly {
 
-// B(v) = v·(1 − min(1, a_b·T/|v|)): the velocity after one tick of braking. step = a_b·T, m/s.
+// What decides how a robot comes to rest.
+struct Braking {
+  double deceleration = 0.0;  // m/s²
+  double period = 0.0;        // s, of the tick
+  double watchdog = 0.0;      // s that it may fly on unheard, before it brakes
+
+  double step() const { return deceleration * period; }  // m/s a tick
+};
+
+// B(v) = v·(1 − min(1, step/|v|)): the velocity after one tick of braking. m/s.
 glm::dvec3 brake(glm::dvec3 velocity, double step) noexcept;
 
-// d(v) = |v|²/(2a_b) + a_b·T²/8 (0 if v = 0): how far the robot may still go, m.
-double stopping_distance(double speed, double braking, double period) noexcept;
+// d(v) = |v|·t_w + |v|²/(2a_b) + a_b·T²/8 (0 if v = 0): how far the robot may still go, m.
+double stopping_distance(double speed, const Braking& braking) noexcept;
 
-// What a command w reserves from p, at velocity v before: the way to where the tick ends, then the stopping
-// segment.
-//
-// Where the tick ends depends on the plant: after p + T·(v + w)/2 if the velocity changes linearly over the
-// tick, after p + T·w if at once, in between if sooner than linearly. Both are reserved, so that the proof
+// The way to where it rests, m.
+template <class S>
+Vec3<S> stopping_way(const Vec3<S>& velocity, S speed, S deceleration, S period, S watchdog) {
+  return velocity *
+         (watchdog + speed / (S(2.0) * deceleration) + deceleration * period * period / (S(8.0) * speed));
+}
+
+// How many points a command adds to a tail: the position, two ends of the tick and two stops.
+inline constexpr std::size_t kCommandPoints = 5;
+
+// The corners of a convex hull, in a fixed place.
+class Hull {
+ public:
+  void add(glm::dvec3 point) noexcept { points_[count_++] = point; }
+  Hull shifted(glm::dvec3 way) const noexcept;
+  std::span<const glm::dvec3> points() const noexcept { return {points_.data(), count_}; }
+  // The least of n · x over it.
+  double least_along(glm::dvec3 n) const noexcept;
+
+ private:
+  // A body, the leads of the latency, and a command's.
+  std::array<glm::dvec3, 1 + kMostLatency + kCommandPoints> points_{};
+  std::size_t count_ = 0;
+};
+
+// Adds to a tail what is needed from `position` on, at `velocity` before and `command` from now on: the ends
+// of the tick, and from each the way to rest. The tick ends after T·(v + w)/2 if the velocity changes
+// linearly, after T·w if at once, in between if sooner than linearly: both are reserved, so that the proof
 // holds for all of them.
-struct Reservation {
-  glm::dvec3 from{0.0};        // p
-  glm::dvec3 end_linear{0.0};  // of the tick
-  glm::dvec3 end_at_once{0.0};
-  glm::dvec3 stop{0.0};  // from either end to where the robot rests, m
-  double sag = 0.0;  // m, the most by which any of these paths leaves the chord from → end_linear → + stop
-};
-
-Reservation reserve(glm::dvec3 position, glm::dvec3 velocity, glm::dvec3 command, double braking,
-                    double period) noexcept;
-
-// A convex fence contains a reservation if it contains its corners. A robot that is outside already may move
-// as long as it comes no further out: the box is stretched to hold its present place.
-bool inside_fence(const Reservation& reservation, glm::dvec3 low, glm::dvec3 high) noexcept;
-
-// What a reservation must keep from obstacles, m.
-struct Clearance {
-  double hard = 0.0;   // radius + tube: what is promised
-  double slack = 0.0;  // what is kept besides, so that a robot that rests at a wall can prove its way back
-};
-
-// φ ≥ hard along the whole reservation, whichever way the tick ends. Proven by sphere tracing: where φ is at
-// least `l` above what must be kept, everything within l is clear, because φ changes by no more than one
-// metre a metre.
-//
-// A robot that is so near that nothing can be proven with the slack may still move if the distance rises by a
-// tenth of the way or more at every end of the reservation, and φ falls nowhere below its present value less
-// the slack. May say no where yes is right (a sampled field's error, too many steps along a wall), never the
-// reverse.
-bool clear_of_obstacles(const Reservation& reservation, const ObstacleView& obstacles,
-                        Clearance clearance) noexcept;
+void add_command(Hull& hull, glm::dvec3 position, glm::dvec3 velocity, glm::dvec3 command,
+                 const Braking& braking) noexcept;
 
 }  // namespace mayfly

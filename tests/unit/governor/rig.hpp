@@ -15,7 +15,6 @@ using namespace std::chrono_literals;
 inline GovernorConfig default_config(std::size_t agents) {
   GovernorConfig config;
   config.period = 10ms;
-  config.max_state_age = 50ms;
   config.fence = {{-10.0F, -10.0F, -10.0F}, {10.0F, 10.0F, 10.0F}};
   GovernorLimits limits;
   limits.speed = 2.0F;
@@ -33,8 +32,9 @@ class Rig {
     for (auto* column : {&x, &y, &z, &vx, &vy, &vz, &wx, &wy, &wz, &ox, &oy, &oz}) {
       column->assign(n, 0.0F);
     }
-    stamp.assign(n, Time{0});
-    valid.assign(n, 1);
+    known.assign(n, 1);
+    authority.assign(n, Authority::kGoverned);
+    symptoms.assign(n, Symptoms{});
     kind.assign(n, CommandKind::kNone);
   }
 
@@ -44,11 +44,11 @@ class Rig {
   }
   void desire(std::size_t i, glm::vec3 w) { wx[i] = w.x, wy[i] = w.y, wz[i] = w.z; }
   glm::vec3 command(std::size_t i) const { return {ox[i], oy[i], oz[i]}; }
-  void tick() { governor.govern(now, {x, y, z, vx, vy, vz, stamp, valid}, {wx, wy, wz}, {kind, ox, oy, oz}); }
-  // One tick of agent 0 with a fresh state.
+  GovernorState state() const { return {x, y, z, vx, vy, vz, known, authority}; }
+  void tick() { governor.govern(now, state(), {wx, wy, wz}, {kind, ox, oy, oz, symptoms}); }
+  // One tick of agent 0.
   glm::vec3 tick(glm::vec3 desired) {
     now += 10ms;
-    stamp[0] = now;
     desire(0, desired);
     tick();
     return command(0);
@@ -60,8 +60,9 @@ class Rig {
   Time now{0};
   std::vector<float> x, y, z, vx, vy, vz;
   std::vector<float> wx, wy, wz, ox, oy, oz;
-  std::vector<Time> stamp;
-  std::vector<std::uint8_t> valid;
+  std::vector<std::uint8_t> known;
+  std::vector<Authority> authority;
+  std::vector<Symptoms> symptoms;
   std::vector<CommandKind> kind;
 };
 

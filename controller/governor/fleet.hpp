@@ -1,0 +1,72 @@
+// Where every robot is by our own account, and what it has reserved.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <span>
+#include <vector>
+
+#include "controller/governor/claims.hpp"
+#include "controller/governor/governor_columns.hpp"
+#include "controller/governor/group_model.hpp"
+#include "controller/governor/neighbour_cells.hpp"
+#include "controller/governor/reference.hpp"
+
+namespace mayfly {
+
+struct FleetRobot {
+  FleetRobot(int latency, std::uint32_t the_group) : reference(latency), group(the_group) {}
+
+  Reference reference;
+  std::uint32_t group;
+  Authority authority = Authority::kAbsent;
+  glm::vec3 sent{0.0F};      // the last command, exactly
+  glm::dvec3 estimate{0.0};  // where it was measured, if `estimated`
+  bool estimated = false;
+  Hull braking;  // what it has reserved, if its reference is known: braking keeps it in
+};
+
+class Fleet {
+ public:
+  explicit Fleet(const GovernorConfig& config);
+
+  // Moves every reference by what was sent, `ticks` times, and reserves what braking needs.
+  void settle(const GovernorState& state, std::uint64_t ticks) noexcept;
+  // Everybody's reference is taken anew from the next estimate.
+  void forget() noexcept;
+
+  std::size_t size() const noexcept { return robots_.size(); }
+  FleetRobot& robot(std::size_t i) noexcept { return robots_[i]; }
+  const FleetRobot& robot(std::size_t i) const noexcept { return robots_[i]; }
+  const GroupModel& group_of(std::size_t i) const noexcept { return groups_[robots_[i].group]; }
+  const Claim& claim(std::size_t i) const noexcept { return claims_[i]; }
+
+  // What a command needs from where the robot is, and as a claim.
+  Hull hull_of(std::size_t i, glm::dvec3 command) const noexcept;
+  Claim claim_of(std::size_t i, const Hull& hull) const noexcept;
+  void reserve(std::size_t i, const Claim& claim) noexcept { claims_[i] = claim; }
+  // Of a wish of robot i beside what all others have reserved. `speed`: m/s, as it would be commanded.
+  Nearness nearness_of(std::size_t i, const Hull& hull, const Claim& claim, double speed) noexcept;
+  // Moves the reference; what braking needs moves with it.
+  void shift(std::size_t i, glm::dvec3 way) noexcept;
+
+  std::span<const std::uint32_t> near(std::size_t i) noexcept { return cells_.near(i, balls_); }
+
+ private:
+  void settle_robot(std::size_t i, Authority authority, glm::vec3 velocity, std::uint64_t ticks) noexcept;
+  void settle_ours(std::size_t i, bool was_ours, glm::vec3 velocity, std::uint64_t ticks) noexcept;
+  void settle_foreign(std::size_t i, glm::vec3 velocity, std::uint64_t ticks) noexcept;
+  void reserve_braking(std::size_t i) noexcept;
+  NeighbourCells::Ball ball_of(std::size_t i) const noexcept;
+
+  std::vector<GroupModel> groups_;
+  double tallest_ = 1.0;       // the largest `downwash`
+  double longest_rest_ = 0.0;  // s, of anybody
+  std::vector<FleetRobot> robots_;
+  std::vector<Claim> claims_;
+  std::vector<NeighbourCells::Ball> balls_;
+  NeighbourCells cells_;
+};
+
+}  // namespace mayfly
