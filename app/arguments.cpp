@@ -56,6 +56,18 @@ void add_run(CLI::App& app, RunOptions& options, Raw& raw) {
   run.add_option("--duration", raw.duration, "Seconds to fly")->type_name("S");
   run.add_flag("--fast", options.fast,
                "On a virtual clock: as fast as the machine goes, the same bits every time");
+  const std::map<std::string, GuardChoice> guards{{"inline", GuardChoice::kInline},
+                                                  {"process", GuardChoice::kProcess}};
+  run.add_option("--guard", options.guard,
+                 "Where the guard runs: inline, or process: one of its own, which brings the robots to rest "
+                 "whatever becomes of this one")
+      ->transform(CLI::Transformer(guards).description(""))
+      ->type_name("inline|process")
+      ->check(CLI::IsMember(std::vector{GuardChoice::kInline, GuardChoice::kProcess}, nullptr)
+                  .description("")
+                  .name("inline|process"));
+  run.add_option("--guard-report", options.guard_report, "Write what the guard's process saw (JSON)")
+      ->type_name("FILE");
   run.add_option("--record", options.record, "Write every agent's state and command (CSV)")
       ->type_name("FILE");
   run.add_option("--summary", options.summary, "Write what the flight came to (JSON)")->type_name("FILE");
@@ -68,6 +80,25 @@ void add_run(CLI::App& app, RunOptions& options, Raw& raw) {
   run.footer(
       std::string("\nExample:\n  mayfly run config/scenarios/two_blocks_passage.yaml --fast --plot out.png\n"
                   "  mayfly run config/scenarios/mesh_maze.yaml --fast --set swarms.flies.count=50\n") +
+      kExitCodes);
+}
+
+void add_guard(CLI::App& app, GuardOptions& options, Raw& raw) {
+  CLI::App& guard = *app.add_subcommand(
+      "guard", "The process between a planner and its robots; started by `mayfly run --guard process`");
+  guard.add_option("SCENARIO", options.scenario, "The planner's scenario file (YAML)")->required();
+  guard.add_option("--hal", options.hal, "Fly every swarm on this HAL of the scenario")->type_name("NAME");
+  guard.add_option("--segment", options.segment, "Descriptor of the shared memory, from the planner")
+      ->type_name("FD")
+      ->required();
+  guard.add_option("--planner", options.planner, "Descriptor of the planner's process, from the planner")
+      ->type_name("FD")
+      ->required();
+  guard.add_option("--guard-report", options.guard_report, "Write what was seen (JSON)")->type_name("FILE");
+  add_sets(guard, raw);
+  guard.add_flag("-v,--verbose", options.verbose, "Say more, on stderr");
+  guard.footer(
+      std::string("\nExample:\n  mayfly run config/scenarios/two_blocks_passage.yaml --guard process\n") +
       kExitCodes);
 }
 
@@ -111,7 +142,7 @@ bool refuse_unknown_command(int argc, const char* const* argv) {
     return false;
   }
   const std::string word = argv[1];
-  const std::vector<std::string> there{"run", "check", "doctor", "bench"};
+  const std::vector<std::string> there{"run", "check", "doctor", "bench", "guard"};
   const std::array<std::string_view, 4> later{"plan", "test", "emulate", "view"};
   if (std::find(there.begin(), there.end(), word) != there.end()) {
     return false;
@@ -123,7 +154,8 @@ bool refuse_unknown_command(int argc, const char* const* argv) {
   return true;
 }
 
-Result<std::vector<Override>> overrides_of(const Raw& raw) {
+// All that changes the scenario, as `--set` would.
+std::vector<std::string> sets_of(const Raw& raw) {
   std::vector<std::string> texts = raw.sets;
   if (!raw.seed.empty()) {
     texts.push_back("seed=" + raw.seed);
@@ -131,8 +163,12 @@ Result<std::vector<Override>> overrides_of(const Raw& raw) {
   if (!raw.duration.empty()) {
     texts.push_back("duration=" + raw.duration);
   }
+  return texts;
+}
+
+Result<std::vector<Override>> overrides_of(const Raw& raw) {
   std::vector<Override> overrides;
-  for (const std::string& text : texts) {
+  for (const std::string& text : sets_of(raw)) {
     auto parsed = parse_override(text);
     if (!parsed) {
       return fail(std::move(parsed.error()));
@@ -162,6 +198,8 @@ tl::expected<Command, int> parse_arguments(int argc, const char* const* argv) {
   Raw raw;
   add_run(app, run, raw);
   add_check(app, check, raw);
+  GuardOptions guard;
+  add_guard(app, guard, raw);
   add_doctor(app);
   add_bench(app, bench);
   try {
@@ -176,11 +214,16 @@ tl::expected<Command, int> parse_arguments(int argc, const char* const* argv) {
   }
   if (app.got_subcommand("run")) {
     run.overrides = std::move(*overrides);
+    run.sets = sets_of(raw);
     return Command(std::move(run));
   }
   if (app.got_subcommand("check")) {
     check.overrides = std::move(*overrides);
     return Command(std::move(check));
+  }
+  if (app.got_subcommand("guard")) {
+    guard.overrides = std::move(*overrides);
+    return Command(std::move(guard));
   }
   if (app.got_subcommand("bench")) {
     return Command(std::move(bench));

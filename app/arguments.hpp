@@ -13,11 +13,17 @@ namespace mayfly::app {
 
 enum class EngineChoice { kNative, kOpenCl, kAuto };
 
+// Where the guard runs: in the planner's process, or in one of its own.
+enum class GuardChoice { kInline, kProcess };
+
 struct RunOptions {
   std::filesystem::path scenario;
   std::string hal;  // empty: the one that the scenario names
   EngineChoice engine = EngineChoice::kNative;
   std::vector<Override> overrides;  // --seed and --duration are among them
+  std::vector<std::string> sets;    // the same as they were typed
+  GuardChoice guard = GuardChoice::kInline;
+  std::filesystem::path guard_report;  // empty: not wanted
   bool fast = false;
   std::filesystem::path record, summary, plot;  // empty: not wanted
   int threads = 0;                              // 0: as many as are worth it
@@ -45,7 +51,18 @@ struct BenchOptions {
   int seeds = 0;            // 0: the benchmark's own
 };
 
-using Command = std::variant<RunOptions, CheckOptions, DoctorOptions, BenchOptions>;
+// Of the process that `run --guard process` starts: descriptors that it was handed down.
+struct GuardOptions {
+  std::filesystem::path scenario;
+  std::string hal;
+  std::vector<Override> overrides;
+  int segment = -1;
+  int planner = -1;
+  std::filesystem::path guard_report;
+  bool verbose = false;
+};
+
+using Command = std::variant<RunOptions, CheckOptions, DoctorOptions, BenchOptions, GuardOptions>;
 
 // Where the command line itself asks for no more than text (--help) or is wrong, that has been printed, and
 // the exit code comes back instead.

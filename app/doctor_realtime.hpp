@@ -13,7 +13,8 @@ struct Finding {
   std::string remedy;  // empty where there is nothing to do
 };
 
-// Rights (priority, locked memory), limits, processors, and how late timers are just now: takes a third of a second.
+// Rights (priority, locked memory), limits, processors, and how late timers are just now: takes a third of a
+// second.
 std::vector<Finding> look_at_realtime();
 
 }  // namespace mayfly::app

@@ -7,6 +7,7 @@
 
 #include "app/exit_code.hpp"
 #include "app/flight_line.hpp"
+#include "app/guard_process.hpp"
 #include "app/log.hpp"
 #include "app/outputs.hpp"
 #include "app/progress_line.hpp"
@@ -57,6 +58,29 @@ int exit_code_of(const Summary& summary, int signal_number) {
   return held ? kSuccess : kExpectationBroken;
 }
 
+// The robots, in this process or behind a guard's.
+struct OwnRobots {
+  Hal& hal() const { return guard ? guard->hal() : *simulated.hal; }
+
+  simulate::Robots simulated;
+  std::unique_ptr<GuardProcess> guard;
+};
+
+Result<OwnRobots> own_robots(const RunOptions& options, const Scenario& scenario, const Prepared& ready,
+                             Clock& clock, const StopRequest& stop) {
+  OwnRobots robots;
+  if (options.guard == GuardChoice::kInline) {
+    robots.simulated = simulate::make_robots(scenario, ready.places, clock);
+    return robots;
+  }
+  auto guard = GuardProcess::start(options, scenario, dynamic_cast<const RealtimeClock&>(clock), stop);
+  if (!guard) {
+    return fail(std::move(guard.error()));
+  }
+  robots.guard = std::move(*guard);
+  return robots;
+}
+
 // From here on everything is ready, and Ctrl-C stops the swarm instead of the program.
 int fly_and_tell(const RunOptions& options, const Scenario& scenario, const Prepared& ready,
                  ProgressLine& line) {
@@ -71,7 +95,10 @@ int fly_and_tell(const RunOptions& options, const Scenario& scenario, const Prep
     return refuse(outputs.error());
   }
   const auto clock = make_clock(options.fast);
-  const simulate::Robots robots = simulate::make_robots(scenario, ready.places, *clock);
+  auto robots = own_robots(options, scenario, ready, *clock, signals.stop());
+  if (!robots) {
+    return refuse(robots.error());
+  }
   FlightGauge gauge;
   announce(options, scenario, **engine, agents);
   auto summary = [&] {
@@ -79,22 +106,27 @@ int fly_and_tell(const RunOptions& options, const Scenario& scenario, const Prep
     return fly({.scenario = scenario,
                 .world = ready.world,
                 .engine = **engine,
-                .hal = *robots.hal,
-                .truth = robots.truth.get(),
+                .hal = robots->hal(),
+                .truth = robots->simulated.truth.get(),
                 .clock = *clock,
                 .observers = outputs->observers(),
-                .stop = &signals.stop(),
+                .stop = robots->guard ? &robots->guard->stop() : &signals.stop(),
                 .gauge = &gauge});
   }();
+  const std::string guard_failed = robots->guard ? robots->guard->how_it_failed() : "";
   if (!summary) {
     return refuse(summary.error());
   }
+  summary->stopped_by_user = signals.stop().load() > 0;
   const auto unwritten = outputs->finish(scenario, *summary);
   if (!options.quiet) {
     fmt::print("{}", summary_table(*summary, !options.fast));
   }
   if (!unwritten.empty()) {
     return refuse(unwritten);
+  }
+  if (!guard_failed.empty()) {
+    return refuse(Error{.cause = Cause::kDevice, .message = guard_failed});
   }
   return exit_code_of(*summary, signals.signal_number());
 }
@@ -103,6 +135,11 @@ int fly_and_tell(const RunOptions& options, const Scenario& scenario, const Prep
 
 int run(const RunOptions& options) {
   set_up_log(options.verbose);
+  if (options.fast && options.guard == GuardChoice::kProcess) {
+    return refuse(Error{.message = "--guard process flies in real time: two processes share no virtual clock",
+                        .found = "--fast",
+                        .wanted = "one of the two"});
+  }
   const auto scenario = load(options);
   if (!scenario) {
     return refuse(scenario.error());

@@ -21,6 +21,11 @@ extern "C" void on_stop_signal(int number) {
   }
 }
 
+extern "C" void on_stop_signal_of_guard(int number) {
+  last_signal.store(number, std::memory_order_relaxed);
+  stop_request.fetch_add(1, std::memory_order_relaxed);
+}
+
 void set_handlers(void (*handler)(int)) {
   struct sigaction action {};
   action.sa_handler = handler;
@@ -33,10 +38,14 @@ void set_handlers(void (*handler)(int)) {
 
 }  // namespace
 
-StopSignals::StopSignals() {
+StopSignals::StopSignals(Of of) {
   stop_request.store(0);
   last_signal.store(0);
-  set_handlers(on_stop_signal);
+  set_handlers(of == Of::kGuard ? on_stop_signal_of_guard : on_stop_signal);
+  if (of == Of::kGuard) {
+    std::signal(SIGHUP, SIG_IGN);
+    std::signal(SIGPIPE, SIG_IGN);
+  }
 }
 
 StopSignals::~StopSignals() {

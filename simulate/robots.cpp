@@ -40,9 +40,13 @@ sim_hal::SimHalConfig config_of(const HalSpec& spec, const Scenario& scenario, C
   return config;
 }
 
+std::string name_of(const SwarmSpec& swarm, std::size_t agent) {
+  return fmt::format("{}_{}", swarm.name, agent);
+}
+
 void add_swarm(sim_hal::SimHalConfig& config, const SwarmSpec& swarm, std::span<const glm::vec3> positions) {
   for (std::size_t i = 0; i < positions.size(); ++i) {
-    config.robot_names.push_back(fmt::format("{}_{}", swarm.name, i));
+    config.robot_names.push_back(name_of(swarm, i));
     config.positions.push_back(positions[i]);
     config.max_speed.push_back(swarm.limits.speed);
     config.max_acceleration.push_back(swarm.limits.acceleration);
@@ -81,7 +85,18 @@ class SimTruth final : public GroundTruth {
 
 }  // namespace
 
-Robots make_robots(const Scenario& scenario, const std::vector<glm::vec3>& positions, Clock& clock) {
+std::vector<RobotInfo> robot_names(const Scenario& scenario) {
+  std::vector<RobotInfo> robots;
+  for (const SwarmSpec& swarm : scenario.swarms) {
+    for (int i = 0; i < swarm.count; ++i) {
+      robots.push_back({name_of(swarm, static_cast<std::size_t>(i)), swarm.robots});
+    }
+  }
+  return robots;
+}
+
+Robots make_robots(const Scenario& scenario, const std::vector<glm::vec3>& positions, Clock& clock,
+                   sim_hal::Backend backend) {
   // Neighbouring swarms of one HAL share it; the order of robots is the order of agents.
   std::vector<sim_hal::SimHalConfig> configs;
   std::size_t first = 0;
@@ -96,6 +111,7 @@ Robots make_robots(const Scenario& scenario, const std::vector<glm::vec3>& posit
   std::vector<sim_hal::SimHal*> sims;
   std::vector<std::unique_ptr<Hal>> hals;
   for (sim_hal::SimHalConfig& config : configs) {
+    config.backend = backend;
     auto hal = std::make_unique<sim_hal::SimHal>(std::move(config));
     sims.push_back(hal.get());
     hals.push_back(std::move(hal));

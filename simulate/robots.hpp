@@ -9,6 +9,7 @@
 #include "controller/scenario/scenario.hpp"
 #include "core/clock.hpp"
 #include "core/hal.hpp"
+#include "sim_hal/config.hpp"
 
 namespace mayfly::simulate {
 
@@ -18,6 +19,10 @@ struct Robots {
 };
 
 // One robot an agent, in the scenario's order, starting at `positions` (m). `clock` must outlive the HAL.
-Robots make_robots(const Scenario& scenario, const std::vector<glm::vec3>& positions, Clock& clock);
+Robots make_robots(const Scenario& scenario, const std::vector<glm::vec3>& positions, Clock& clock,
+                   sim_hal::Backend backend = sim_hal::Backend::kAutomatic);
+
+// What the robots that make_robots() makes are called, before there are any.
+std::vector<RobotInfo> robot_names(const Scenario& scenario);
 
 }  // namespace mayfly::simulate

@@ -1,4 +1,4 @@
-// The rights that a flight on the real clock asks of the operating system. For flight.cpp only.
+// The rights that a flight on the real clock, or its guard, asks of the operating system.
 #pragma once
 
 #include "controller/clock/realtime_rights.hpp"

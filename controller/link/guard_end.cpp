@@ -93,10 +93,21 @@ void GuardEnd::take_operator() noexcept {
   std::copy(request.taken_out.begin(), request.taken_out.end(), taken_out_.begin());
 }
 
+// A wish of its own number: whoever has taken the last one need not look at its deadline again.
 void GuardEnd::planner_gone() noexcept {
-  planner_gone_ = true;
+  static_cast<void>(own_wish(CommandKind::kNone, kPast));
   deadline_ = kPast;
-  std::fill(kind_.begin(), kind_.end(), CommandKind::kNone);
+}
+
+CommandColumns GuardEnd::own_wish(CommandKind kind, Time now) noexcept {
+  planner_gone_ = true;
+  ++sequence_;
+  deadline_ = now + most_age_;
+  std::fill(kind_.begin(), kind_.end(), kind);
+  for (std::vector<float>* column : {&vx_, &vy_, &vz_}) {
+    std::fill(column->begin(), column->end(), 0.0F);
+  }
+  return {kind_, vx_, vy_, vz_, deadline_, sequence_};
 }
 
 Want GuardEnd::want() const noexcept {

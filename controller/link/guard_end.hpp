@@ -28,6 +28,8 @@ class GuardEnd {
   std::span<const std::uint8_t> there() const noexcept { return there_; }
   // The planner's process has ended: its last wish is void, and nothing more is taken from it.
   void planner_gone() noexcept;
+  // In place of the planner's, now and from now on: the same of everybody.
+  CommandColumns own_wish(CommandKind kind, Time now) noexcept;
 
   // As of the last wish(): levels, none of which falls to nothing when the planner dies.
   StopLevel stop() const noexcept { return stop_; }

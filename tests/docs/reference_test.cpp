@@ -84,8 +84,8 @@ TEST(Reference, BenchPageHasEveryKeyOfTheJson) {
 
 TEST(Reference, CommandLinePageHasEveryCommandAndOption) {
   static const std::regex kOption(R"(--[a-z-]+)");
-  Names there{"run", "check", "doctor", "bench"};
-  for (const std::string command : {"", "run", "check", "doctor", "bench"}) {
+  Names there{"run", "check", "guard", "doctor", "bench"};
+  for (const std::string command : {"", "run", "check", "guard", "doctor", "bench"}) {
     const std::string help =
         command.empty() ? run_program({"--help"}).out : run_program({command, "--help"}).out;
     const std::string options = help.substr(0, help.find("Example:"));

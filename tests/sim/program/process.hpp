@@ -26,6 +26,7 @@ class Process {
   // Reads standard output until `text` has been written there; false at its end.
   bool read_until(const std::string& text);
   void send(int signal) const;
+  pid_t id() const { return pid_; }
   Outcome wait();
 
  private:

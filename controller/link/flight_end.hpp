@@ -1,0 +1,59 @@
+// How a guard brings a flight to its end when there is nobody left to lead it.
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+
+#include "core/clock.hpp"
+
+namespace mayfly::link {
+
+// From flying to braking as soon as the end is wanted, to landing when everybody rests, to done when nobody
+// is in the air. Neither braking nor landing may take for ever: each has a longest time, after which the next
+// begins.
+class FlightEnd {
+ public:
+  enum class Stage : std::uint8_t { kFlying, kBraking, kLanding, kDone };
+
+  static constexpr Time kMostBraking = std::chrono::seconds(5);
+  static constexpr Time kMostLanding = std::chrono::seconds(10);
+
+  struct Seen {
+    bool end_wanted = false;
+    bool all_still = false;  // nobody is told to move, and nobody does
+    bool airborne = false;   // anybody
+  };
+
+  // Once a tick. At most one stage a tick, so that each is told to the robots at least once.
+  Stage update(Time now, const Seen& seen) noexcept {
+    const Time in_stage = now - since_;
+    switch (stage_) {
+      case Stage::kFlying:
+        enter_if(seen.end_wanted, Stage::kBraking, now);
+        break;
+      case Stage::kBraking:
+        enter_if(seen.all_still || in_stage > kMostBraking, Stage::kLanding, now);
+        break;
+      case Stage::kLanding:
+        enter_if(!seen.airborne || in_stage > kMostLanding, Stage::kDone, now);
+        break;
+      case Stage::kDone:
+        break;
+    }
+    return stage_;
+  }
+  Stage stage() const noexcept { return stage_; }
+
+ private:
+  void enter_if(bool condition, Stage next, Time now) noexcept {
+    if (condition) {
+      stage_ = next;
+      since_ = now;
+    }
+  }
+
+  Stage stage_ = Stage::kFlying;
+  Time since_{0};
+};
+
+}  // namespace mayfly::link

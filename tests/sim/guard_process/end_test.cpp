@@ -1,0 +1,79 @@
+// How flights in two processes end: well, by a signal, and without their guard.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <csignal>
+
+#include "tests/sim/guard_process/two_processes.hpp"
+
+namespace mayfly::test {
+namespace {
+
+using ::testing::HasSubstr;
+
+TEST(End, AFlightThatIsOverBringsItsRobotsToRest) {
+  TwoProcesses flight({"--duration", "0.5"});
+  const Outcome ended = flight.wait();
+  EXPECT_EQ(ended.exit_code, 0) << ended.error;
+  EXPECT_EQ(ended.error, "");
+  const nlohmann::json report = flight.guard_report();
+  EXPECT_FALSE(report["planner_died"].get<bool>());
+  EXPECT_EQ(report["refused"], 0);
+  EXPECT_GT(report["wishes"], 0);
+  EXPECT_EQ(flight.summary()["hal"], "guard");
+  EXPECT_THAT(flight.summary()["faults"], ::testing::IsEmpty());
+}
+
+TEST(End, InterruptedTogetherTheGuardOutlivesThePlanner) {
+  TwoProcesses flight;
+  ASSERT_TRUE(flight.fly() && flight.wait_for_beats(40));
+  flight.send_guard(SIGINT);
+  flight.send_planner(SIGINT);
+  const Outcome ended = flight.wait();
+  EXPECT_EQ(ended.exit_code, 128 + SIGINT) << ended.error;
+  EXPECT_THAT(ended.out, HasSubstr("stopped by the user"));
+  ASSERT_FALSE(flight.guard_report().is_discarded());
+  EXPECT_FALSE(flight.guard_report()["planner_died"].get<bool>());
+}
+
+TEST(End, InterruptedTwiceTheGuardStopsAllAtOnceAndStillEndsWell) {
+  TwoProcesses flight;
+  ASSERT_TRUE(flight.fly() && flight.wait_for_beats(40));
+  for (const int signal : {SIGINT, SIGINT}) {
+    flight.send_guard(signal);
+    flight.send_planner(signal);
+  }
+  const Outcome ended = flight.wait();
+  EXPECT_EQ(ended.exit_code, 128 + SIGINT) << ended.error;
+  ASSERT_FALSE(flight.guard_report().is_discarded());
+}
+
+// What kills a planner at once does not kill a guard: nor does the terminal's end.
+TEST(End, TheGuardOutlivesThreeInterruptsAndAClosedTerminal) {
+  TwoProcesses flight;
+  ASSERT_TRUE(flight.fly() && flight.wait_for_beats(40));
+  for (const int signal : {SIGHUP, SIGINT, SIGTERM, SIGINT, SIGINT}) {
+    flight.send_guard(signal);
+  }
+  flight.send_planner(SIGKILL);
+  EXPECT_EQ(flight.wait().exit_code, 128 + SIGKILL);
+  ASSERT_FALSE(flight.guard_report().is_discarded());
+  EXPECT_TRUE(flight.guard_report()["planner_died"].get<bool>());
+}
+
+TEST(End, APlannerWhoseGuardIsKilledSaysSoAndEnds) {
+  TwoProcesses flight;
+  ASSERT_TRUE(flight.fly() && flight.wait_for_beats(40));
+  const link::Word beat = flight.header().planner_beat.load();
+  flight.send_guard(SIGKILL);
+  const Outcome ended = flight.wait();
+  EXPECT_EQ(ended.exit_code, 3);
+  EXPECT_THAT(ended.error, HasSubstr("the guard was killed by signal 9"));
+  EXPECT_THAT(ended.out, ::testing::Not(HasSubstr("stopped by the user")));
+  EXPECT_THAT(flight.summary()["faults"].dump(), HasSubstr("left to their own watchdogs"));
+  // In ticks, not in time: each of the planner's has two beats, and the last may have begun before the kill.
+  EXPECT_LE(flight.header().planner_beat.load() - beat, 2U * 5U);
+}
+
+}  // namespace
+}  // namespace mayfly::test
