@@ -32,10 +32,9 @@ HalResult InterimGuard::act(Time now, const CommandColumns& wish) noexcept {
     wish_y_[robot] = moves ? wish.vy[robot] : 0.0F;
     wish_z_[robot] = moves ? wish.vz[robot] : 0.0F;
   }
-  governor_.govern(now,
-                   {estimate_.x, estimate_.y, estimate_.z, estimate_.vx, estimate_.vy, estimate_.vz,
-                    estimate_.stamp, estimate_.valid},
-                   {wish_x_, wish_y_, wish_z_}, {kind_, vx_, vy_, vz_});
+  governor_.govern(
+      now, {estimate_.x, estimate_.y, estimate_.z, estimate_.vx, estimate_.vy, estimate_.vz, estimate_.valid},
+      {wish_x_, wish_y_, wish_z_}, {kind_, vx_, vy_, vz_, {}});
   for (std::size_t robot = 0; robot < kind_.size(); ++robot) {
     const bool still = vx_[robot] == 0.0F && vy_[robot] == 0.0F && vz_[robot] == 0.0F;
     if (!is_void &&

@@ -4,6 +4,7 @@
 
 #include <csignal>
 
+#include "controller/link/process_watch.hpp"
 #include "tests/sim/guard_process/two_processes.hpp"
 
 namespace mayfly::test {
@@ -64,14 +65,17 @@ TEST(End, TheGuardOutlivesThreeInterruptsAndAClosedTerminal) {
 TEST(End, APlannerWhoseGuardIsKilledSaysSoAndEnds) {
   TwoProcesses flight;
   ASSERT_TRUE(flight.fly() && flight.wait_for_beats(40));
-  const link::Word beat = flight.header().planner_beat.load();
+  const auto guard = link::ProcessWatch::of(flight.guard());
+  ASSERT_TRUE(guard);
   flight.send_guard(SIGKILL);
+  ASSERT_TRUE(guard->has_ended(std::chrono::seconds(60)));
+  const link::Word beat = flight.header().planner_beat.load();
   const Outcome ended = flight.wait();
   EXPECT_EQ(ended.exit_code, 3);
   EXPECT_THAT(ended.error, HasSubstr("the guard was killed by signal 9"));
   EXPECT_THAT(ended.out, ::testing::Not(HasSubstr("stopped by the user")));
   EXPECT_THAT(flight.summary()["faults"].dump(), HasSubstr("left to their own watchdogs"));
-  // In ticks, not in time: each of the planner's has two beats, and the last may have begun before the kill.
+  // In ticks, not in time: each of the planner's has two beats.
   EXPECT_LE(flight.header().planner_beat.load() - beat, 2U * 5U);
 }
 
