@@ -1,11 +1,10 @@
 // Robots taken out of a run, replaced by simulated twins, and put back, while everybody flies on.
 #pragma once
 
-#include <atomic>
+#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -25,47 +24,63 @@ struct TwinConfig {
   // of it then jumps by no more.
   float most_distance = 0.05F;
   float most_speed = 0.1F;
-  Time most_age{std::chrono::milliseconds(100)};  // of the pose by which that is judged
+  Time most_age{std::chrono::milliseconds(100)};  // of the poses by which a robot is taken out and put back
   CommandKind parked = CommandKind::kHold;        // what a robot is told while its twin flies; or kLand
 };
 
+// Refuses what is not finite or not positive, with the numbers.
+Result<void> check(const TwinConfig& config);
+
 enum class TwinOutcome : std::uint8_t {
-  kNone,       // nothing was asked of it yet
-  kPending,    // waits for the next read
-  kTakenOut,   // its twin flies
-  kPutBack,    // it flies itself
-  kAlready,    // it was so before
-  kNeverSeen,  // no twin can start: nobody knows where the robot is
-  kNoPose,     // cannot be put back: its own pose is missing or too old
-  kTooFar,     // … it is too far from its twin
-  kTooFast,    // … it moves past its twin
+  kNone,      // nothing was asked of it yet
+  kPending,   // waits for the next read
+  kTakenOut,  // its twin flies
+  kPutBack,   // it flies itself
+  kAlready,   // it was so before
+  kNoPose,    // refused: its own pose is missing or too old
+  kTooFar,    // … it is too far from its twin
+  kTooFast,   // … it moves past its twin
 };
 
 // What became of the last request for a robot.
 struct TwinReport {
   TwinOutcome outcome = TwinOutcome::kNone;
-  float distance = 0.0F;  // m, of the robot from its twin when it was judged
+  float distance = 0.0F;  // m, of the robot from its twin when it was to be put back
   float speed = 0.0F;     // m/s, between the two
 };
 
-// Stands before a HAL, and is one. Twins follow their commands within the acceleration limit, as the
-// governor's reference does: v⁺ is the command, or as near to it as a·T allows, and p⁺ = p + T(v + v⁺)/2.
-// Without a valid command they brake and hold.
+// A robot's own pose, whoever flies in its place; m and m/s, world frame.
+struct RealPose {
+  float x = 0.0F, y = 0.0F, z = 0.0F;
+  float vx = 0.0F, vy = 0.0F, vz = 0.0F;
+  Time stamp{0};
+  bool valid = false;  // measured at least once since the activation
+};
+
+// Stands before a HAL, and is one. A twin starts where its robot is, at the velocity at which its commands
+// have it, and follows its commands within the acceleration limit, as the governor's reference does: v⁺ is
+// the command, or as near to it as a·T allows, and p⁺ = p + T(v + v⁺)/2. Without a valid command it brakes
+// and holds.
+//
+// Nobody sees a robot whose twin flies: let it land, or keep clear of real_pose().
 class TwinHal final : public Hal {
  public:
   TwinHal(std::unique_ptr<Hal> real, TwinConfig config);
   ~TwinHal() override;
 
-  // From any thread; done at the next read. False where there is no such robot or it still waits for one.
+  // From any thread once it is configured; done at the next read. False where there is no such robot, or
+  // where it still waits for what was asked before.
   bool take_out(RobotIndex robot) noexcept;
   bool put_back(RobotIndex robot) noexcept;
-  // From any thread.
   bool is_twin(RobotIndex robot) const noexcept;
   TwinReport report(RobotIndex robot) const noexcept;
 
+  // As of the last read; on the thread that reads.
+  RealPose real_pose(RobotIndex robot) const noexcept;
+
   std::span<const RobotInfo> robots() const noexcept override { return real_->robots(); }
   std::string_view name() const noexcept override { return real_->name(); }
-  Hal& real() noexcept { return *real_; }
+  const TwinConfig& config() const noexcept { return config_; }
 
  private:
   class Twins;
@@ -81,7 +96,7 @@ class TwinHal final : public Hal {
   std::unique_ptr<Twins> twins_;
 };
 
-// "taken out", "0.31 m from its twin; wanted at most 0.05 m", …
+// For an operator: "taken out", "is 0.31 m from its twin; wanted at most 0.05 m".
 std::string describe(const TwinReport& report, const TwinConfig& config);
 
 }  // namespace mayfly
