@@ -37,6 +37,10 @@ struct EstimatorConfig {
   Time most_age{0};        // an older pose is kStalePose and not `known`; 0: three pose periods and a tick
   Time most_ahead{0};      // a stamp that lies farther in the future is refused; 0: a control tick
   int frozen_samples = 5;  // this many equal ones with fresh stamps while told to move: kFrozenPose
+  // False: no jump, exchange or frozen pose is looked for; what is no number and what is old is still
+  // refused. For a swarm that is wholly simulated and not governed: at 10⁵ robots gates take longer than
+  // flying.
+  bool gates = true;
   std::vector<EstimatorSource> sources{EstimatorSource{}};  // at most kMostSources
   std::vector<EstimatorLimits> robots;
 

@@ -33,6 +33,7 @@ class Estimator::Work {
     std::vector<std::uint8_t> is_nonsense;  // one a robot: its last sample was not a number
   };
   std::vector<Source> sources;
+  std::vector<estimator::Step> steps;  // of all tracks
   std::vector<estimator::Track> tracks;
 
  private:

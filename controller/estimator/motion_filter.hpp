@@ -27,6 +27,11 @@ struct Measurement {
   bool has_velocity = false;
 };
 
+// Leaves nothing to be filtered.
+inline bool is_perfect(const Measurement& m) {
+  return m.has_position && m.has_velocity && m.position_variance <= 0.0 && m.velocity_variance <= 0.0;
+}
+
 // Spectral density of the acceleration, m²/s³, of a robot that takes another one at each tick, anything up to
 // its limit being as likely: a² T / 3.
 double acceleration_density(double most_acceleration, double period);

@@ -50,7 +50,7 @@ SampleFate SourceJudge::judge(std::size_t robot, const Sample& sample, const Ste
       suspect.jumps > 0 && gate.follows(other.value.position, between, sample.value) &&
       (place - other.value.position).norm() < (place - last.belief.place_after(seconds)).norm();
   if (!goes_on && gate.fits(last.belief, seconds, sample.value)) {
-    suspect = {};
+    acquit(robot);
     return SampleFate::kTaken;
   }
   suspect.agreeing = goes_on ? suspect.agreeing : 0;
@@ -64,11 +64,21 @@ bool SourceJudge::may_begin_anew(std::size_t robot) const noexcept {
 }
 
 void SourceJudge::forget(std::size_t robot) noexcept {
-  suspects_[robot] = {};
+  acquit(robot);
   repeats_[robot] = {};
 }
 
+void SourceJudge::acquit(std::size_t robot) noexcept {
+  if (suspects_[robot].jumps > 0) {
+    suspects_[robot] = {};
+    --active_;
+  }
+}
+
 void SourceJudge::have_told() noexcept {
+  if (!any_suspect()) {
+    return;
+  }
   for (Suspect& suspect : suspects_) {
     suspect.told = suspect.jumps;
   }
@@ -100,6 +110,7 @@ void SourceJudge::suspect_of(std::size_t robot, const Sample& sample, Time gap) 
   Suspect& suspect = suspects_[robot];
   if (suspect.jumps == 0) {
     suspect.gap = gap;
+    ++active_;
   }
   ++suspect.jumps;
   ++suspect.agreeing;

@@ -49,6 +49,8 @@ class SourceJudge {
   void have_told() noexcept;
 
   PoseGate gate(std::size_t robot) const noexcept;
+  // Whether anybody's poses jump.
+  bool any_suspect() const noexcept { return active_ > 0; }
   Suspect& suspect(std::size_t robot) noexcept { return suspects_[robot]; }
   const Suspect& suspect(std::size_t robot) const noexcept { return suspects_[robot]; }
   bool is_frozen(std::size_t robot) const noexcept { return repeats_[robot].frozen; }
@@ -64,6 +66,7 @@ class SourceJudge {
     bool frozen = false;
   };
   bool freezes(Repeat& repeat, const Sample& sample, const Eigen::RowVector3d& told) const noexcept;
+  void acquit(std::size_t robot) noexcept;
   void suspect_of(std::size_t robot, const Sample& sample, Time gap) noexcept;
 
   std::vector<EstimatorLimits> limits_;
@@ -71,6 +74,7 @@ class SourceJudge {
   int frozen_samples_;
   Time most_age_;
   std::vector<Suspect> suspects_;
+  std::size_t active_ = 0;  // those with jumps
   std::vector<Repeat> repeats_;
 };
 

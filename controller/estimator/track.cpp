@@ -4,6 +4,9 @@ namespace mayfly::estimator {
 namespace {
 
 Belief after(const Step& earlier, Time stamp, const Measurement& measurement, double density) {
+  if (is_perfect(measurement)) {
+    return estimator::begin(measurement, 0.0);  // whatever was believed before
+  }
   Belief belief = predict(earlier.belief, to_seconds(stamp - earlier.stamp), density);
   correct(belief, measurement);
   return belief;
@@ -32,8 +35,8 @@ void Track::take(Time stamp, const Measurement& measurement, double density) noe
     --place;
   }
   const Step step{stamp, measurement, after(at(place - 1), stamp, measurement, density)};
-  if (count_ == kSteps) {
-    first_ = (first_ + 1) % kSteps;
+  if (count_ == steps_.size()) {
+    first_ = (first_ + 1) % steps_.size();
     --count_;
     --place;
   }

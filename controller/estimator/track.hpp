@@ -1,8 +1,8 @@
 // One robot's filter with its recent past, so that a sample that comes late goes in where it belongs.
 #pragma once
 
-#include <array>
 #include <cstddef>
+#include <span>
 
 #include "controller/estimator/motion_filter.hpp"
 #include "core/clock.hpp"
@@ -16,10 +16,10 @@ struct Step {
   Belief belief;
 };
 
-// Remembers so many samples. Allocates nothing.
+// Remembers as many samples as it is given room for, at least one. Allocates nothing.
 class Track {
  public:
-  static constexpr std::size_t kSteps = 16;
+  explicit Track(std::span<Step> room) : steps_(room) {}
 
   bool has_begun() const noexcept { return count_ > 0; }
   // Forgets what was before.
@@ -33,10 +33,10 @@ class Track {
   const Step& newest() const noexcept { return at(count_ - 1); }
 
  private:
-  Step& at(std::size_t index) noexcept { return steps_[(first_ + index) % kSteps]; }
-  const Step& at(std::size_t index) const noexcept { return steps_[(first_ + index) % kSteps]; }
+  Step& at(std::size_t index) noexcept { return steps_[(first_ + index) % steps_.size()]; }
+  const Step& at(std::size_t index) const noexcept { return steps_[(first_ + index) % steps_.size()]; }
 
-  std::array<Step, kSteps> steps_;  // a ring, in the order of stamps
+  std::span<Step> steps_;  // a ring, in the order of stamps
   std::size_t first_ = 0;
   std::size_t count_ = 0;
 };

@@ -90,6 +90,29 @@ TEST(Jump, OfARobotWithoutASpeedLimitIsNotTold) {
   }
 }
 
+// A simulated swarm that nobody governs: no gate, but numbers and ages.
+TEST(WithoutGates, WhatIsANumberIsTaken) {
+  EstimatorConfig config = config_of(2);
+  config.gates = false;
+  Rig rig(config);
+  rig.tell(1, {1.0, 0.0, 0.0});
+  for (int i = 0; i < 50; ++i) {
+    rig.put(0, {100.0 * i, 0.0, 1.0}, {2.0, 0.0, 0.0});
+    rig.put(1, {1.0, 1.0, 1.0});
+    rig.tick();
+    EXPECT_TRUE(rig.estimator.estimate().symptoms[0].empty());
+    EXPECT_TRUE(rig.estimator.estimate().symptoms[1].empty());
+    EXPECT_EQ(rig.place(0)[0], 100.0 * i);
+  }
+  rig.put(0, {std::nan(""), 0.0, 1.0});
+  rig.tick();
+  EXPECT_TRUE(rig.has(0, Symptom::kPoseNotFinite));
+  for (int i = 0; i < 6; ++i) {
+    rig.tick();
+  }
+  EXPECT_TRUE(rig.has(1, Symptom::kStalePose));
+}
+
 TEST(ThreeJumps, AreToldBeforeTheFourthIsBelieved) {
   Rig rig = standing(0.0F);
   for (int i = 1; i <= 3; ++i) {
@@ -103,6 +126,17 @@ TEST(ThreeJumps, AreToldBeforeTheFourthIsBelieved) {
   EXPECT_TRUE(rig.estimator.estimate().symptoms[0].empty());
   EXPECT_EQ(rig.place(0), (Vec{1.0, static_cast<double>(0.04F), 1.0}));
   EXPECT_EQ(rig.estimator.counters().started_anew, 1U);
+}
+
+TEST(ThreeJumps, TheTrackBeginsWithNoMoreThanOneSample) {
+  Rig rig = standing(0.01F);
+  for (int i = 0; i < 4; ++i) {
+    rig.put(0, {1.0, 0.0, 1.0});
+    rig.tick();
+  }
+  EXPECT_EQ(rig.estimator.counters().started_anew, 1U);
+  EXPECT_NEAR(rig.estimator.uncertainty(0).position, 0.01, 1e-8);
+  EXPECT_NEAR(rig.estimator.uncertainty(0).velocity, 3.0, 1e-8);
 }
 
 TEST(ThreeJumps, InOneTickAreNotBelievedInIt) {
