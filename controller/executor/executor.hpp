@@ -28,8 +28,9 @@ namespace mayfly {
 // On a virtual clock all of them run in the one thread, in an order that is the same on any machine: at one
 // moment first results that are ready by then, in the order of adding; then tasks of the control thread, as
 // above; then planners' work, in the order of adding. A planner works at its release and its result is there
-// `latency` later. A control task that senses before it acts lets all of that moment in between its halves,
-// so that with a latency of 0 it acts on what was planned from what it has just sensed.
+// `latency` later, on either clock; on the real clock later still, where the work takes longer. A control
+// task that senses before it acts lets all of that moment in between its halves, so that with a latency of 0
+// it acts on what was planned from what it has just sensed.
 class Executor {
  public:
   explicit Executor(Clock& clock) : clock_(clock), witness_(working_) {}
@@ -55,8 +56,7 @@ class Executor {
     static_assert(kIsTask<Sense> && kIsTask<Act>, "a task is called as void(const TickInfo&) noexcept");
     return add_control(name, rate_hz, std::move(sense), std::move(act));
   }
-  // `latency` in [0, period]: what a virtual clock lets pass between a release and publish(). On the real
-  // clock publish() follows work() at once, in the planner's thread.
+  // `latency` in [0, period]: what passes between a release and publish().
   template <class Work, class Publish>
   Result<void> add_planner(const std::string& name, double rate_hz, Time latency, Work work,
                            Publish publish) {

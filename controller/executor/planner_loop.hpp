@@ -12,7 +12,7 @@ namespace mayfly {
 
 struct PlannerTask {
   Releases releases;
-  // From a release to when its result is there, on a virtual clock.
+  // From a release to when its result is there, or later, where the work takes longer.
   Time latency{0};
   std::function<void(const TickInfo&)> work;
   std::function<void(const TickInfo&)> publish;
@@ -21,8 +21,9 @@ struct PlannerTask {
   Time due{0};
 };
 
-// What the thread does, on the real clock: works at each release of [0, duration) and publishes as soon as it
-// has worked; late releases are skipped. Returns soon after `ending` is true, between two releases.
+// What the thread does, on the real clock: works at each release of [0, duration) and publishes once it has
+// worked and the latency has passed; late releases are skipped. Returns soon after `ending` is true, between
+// two releases.
 void serve_planner(PlannerTask& planner, Clock& clock, Time start, Time duration,
                    const std::atomic<bool>& ending) noexcept;
 

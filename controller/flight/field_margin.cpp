@@ -16,11 +16,11 @@ constexpr float kSharpness = 0.5F;
 }  // namespace
 
 double field_period(const Scenario& scenario) {
-  return 1.0 / static_cast<double>(std::min(scenario.field_rate, scenario.control.rate));
+  return 1.0 / static_cast<double>(std::min(scenario.field_rate, scenario.decision_rate()));
 }
 
 double set_duration(const Scenario& scenario) {
-  return field_period(scenario) + 1.0 / static_cast<double>(scenario.control.rate);
+  return field_period(scenario) + 1.0 / static_cast<double>(scenario.decision_rate());
 }
 
 float obstacle_margin(const Scenario& scenario, const PathSpec& path, double from_s, double until_s) {

@@ -5,6 +5,7 @@
 #include <optional>
 #include <thread>
 #include <utility>
+#include <vector>
 
 #include "controller/executor/executor.hpp"
 #include "controller/flight/field_keeper.hpp"
@@ -12,6 +13,7 @@
 #include "controller/flight/flight_loop.hpp"
 #include "controller/flight/flight_rights.hpp"
 #include "controller/flight/timing_summary.hpp"
+#include "controller/planner/curl_noise_planner.hpp"
 
 namespace mayfly {
 namespace {
@@ -32,6 +34,21 @@ Result<std::optional<FlightRights>> take_rights(const FlightParts& parts) {
     return fail(std::move(rights.error()));
   }
   return std::optional<FlightRights>(std::move(*rights));
+}
+
+Result<void> add_tasks(Executor& executor, const Scenario& scenario, FlightLoop& flight, Planner* beside) {
+  auto added = executor.add_task(
+      "control", static_cast<double>(scenario.control.rate),
+      [&flight](const TickInfo&) noexcept { flight.sense(); },
+      [&flight](const TickInfo&) noexcept { flight.act(); });
+  if (!added || beside == nullptr) {
+    return added;
+  }
+  const PlannerSpec& spec = *curl_noise_of(scenario);
+  return executor.add_planner(
+      spec.name, static_cast<double>(spec.rate), latency_of(spec),
+      [beside](const TickInfo& info) noexcept { beside->work(info.release, info.started); },
+      [beside](const TickInfo&) noexcept { beside->publish(); });
 }
 
 }  // namespace
@@ -59,7 +76,12 @@ Result<Summary> fly(const FlightParts& parts) {
     }
     keeper = std::move(*started);
   }
-  FlightLoop flight(parts, motion, keeper.get(), std::move(*governor),
+  FieldPlanner planner(parts.scenario, parts.engine, keeper.get(), plan_timing(parts.scenario));
+  std::optional<CurlNoisePlanner> beside;
+  if (curl_noise_of(parts.scenario) != nullptr) {
+    beside.emplace(parts.scenario, planner);
+  }
+  FlightLoop flight(parts, motion, planner, beside ? &*beside : nullptr, std::move(*governor),
                     Metrics(metrics_config(parts.scenario, parts.world, motion)));
   auto rights = take_rights(parts);
   if (!rights) {
@@ -70,9 +92,7 @@ Result<Summary> fly(const FlightParts& parts) {
     const int priority = (*rights)->granted().priority;
     executor.set_realtime({priority, priority > 0 ? control_cpu() : -1, true});
   }
-  auto added = executor.add_task("control", static_cast<double>(parts.scenario.control.rate),
-                                 [&flight](const TickInfo&) noexcept { flight.tick(); });
-  if (!added) {
+  if (auto added = add_tasks(executor, parts.scenario, flight, beside ? &*beside : nullptr); !added) {
     return fail(std::move(added.error()));
   }
   const auto start = std::chrono::steady_clock::now();
@@ -88,7 +108,11 @@ Result<Summary> fly(const FlightParts& parts) {
   if (!flown) {
     return fail(flown.error());
   }
-  return flight.summarise(control_summary(executor, *rights ? &**rights : nullptr, {}), wall_s);
+  std::vector<AgeStats> ages;
+  if (beside) {
+    ages = {beside->estimate_ages(), beside->plan_ages()};
+  }
+  return flight.summarise(control_summary(executor, *rights ? &**rights : nullptr, ages), wall_s);
 }
 
 }  // namespace mayfly

@@ -1,10 +1,10 @@
 #include "controller/flight/flight_loop.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 #include "controller/flight/flight_config.hpp"
-#include "controller/flight/swarm_models.hpp"
 
 namespace mayfly {
 namespace {
@@ -16,30 +16,14 @@ constexpr float kStandingStill = 0.05F;  // m/s
 // after the last.
 constexpr int kCommandPeriods = 5;
 
-std::vector<std::uint8_t> who_avoids(const Scenario& scenario) {
-  std::vector<std::uint8_t> avoids;
-  for (const SwarmSpec& swarm : scenario.swarms) {
-    avoids.insert(avoids.end(), static_cast<std::size_t>(swarm.count), swarm.avoidance.on ? 1 : 0);
-  }
-  const bool any = std::find(avoids.begin(), avoids.end(), 1) != avoids.end();
-  return any ? avoids : std::vector<std::uint8_t>();
-}
-
-std::vector<float> lead_times(const Scenario& scenario) {
-  std::vector<float> lead;
-  for (const SwarmSpec& swarm : scenario.swarms) {
-    lead.insert(lead.end(), static_cast<std::size_t>(swarm.count), response_time(scenario, swarm));
-  }
-  return lead;
-}
-
 }  // namespace
 
-FlightLoop::FlightLoop(const FlightParts& parts, Motion& motion, FieldKeeper* keeper, Governor governor,
-                       Metrics metrics)
+FlightLoop::FlightLoop(const FlightParts& parts, Motion& motion, FieldPlanner& planner,
+                       CurlNoisePlanner* beside, Governor governor, Metrics metrics)
     : parts_(parts),
       motion_(motion),
-      keeper_(keeper),
+      planner_(planner),
+      beside_(beside),
       agents_(parts.hal.robots().size()),
       period_(from_seconds(1.0 / static_cast<double>(parts.scenario.control.rate))),
       governor_(std::move(governor)),
@@ -47,11 +31,7 @@ FlightLoop::FlightLoop(const FlightParts& parts, Motion& motion, FieldKeeper* ke
       estimate_(agents_),
       truth_(agents_),
       roster_(parts.scenario),
-      stimuli_(parts.scenario),
-      lead_(lead_times(parts.scenario)),
-      avoids_(who_avoids(parts.scenario)),
-      there_(roster_.changes() ? agents_ : 0),
-      ahead_(agents_),
+      plan_(beside == nullptr ? agents_ : 0, parts.scenario.swarms.size()),
       desired_(agents_),
       command_(agents_),
       known_(agents_),
@@ -59,26 +39,32 @@ FlightLoop::FlightLoop(const FlightParts& parts, Motion& motion, FieldKeeper* ke
       kind_(agents_, CommandKind::kHold),
       goal_sources_(parts.scenario.swarms.size()) {}
 
-void FlightLoop::tick() noexcept {
+void FlightLoop::sense() noexcept {
   const auto work_began = std::chrono::steady_clock::now();
-  const Time now = parts_.clock.now();
+  now_ = parts_.clock.now();
   if (ticks_ == 0) {
-    began_ = now;
+    began_ = now_;
   }
-  motion_.set_time(seconds_flown(now));
-  roster_.set_time(seconds_flown(now));
-  stimuli_.move(seconds_flown(now), parts_.engine);
+  motion_.set_time(seconds_flown(now_));
+  roster_.set_time(seconds_flown(now_));
   asked_to_stop_ = stop_level();
-  note(hal_source_, now, parts_.hal.read(now, estimate_.inbox()));
-  note_liar(now, estimate_.update());
+  note(hal_source_, now_, parts_.hal.read(now_, estimate_.inbox()));
+  note_liar(now_, estimate_.update());
   observe_truth();
-  renew_fields(now);
-  decide(now);
-  write(now);
-  show(now);
-  end_if_asked(now);
+  if (beside_ != nullptr) {
+    beside_->offer(now_, view());
+  }
+  work_ += std::chrono::steady_clock::now() - work_began;
+}
+
+void FlightLoop::act() noexcept {
+  const auto work_began = std::chrono::steady_clock::now();
+  decide(now_);
+  write(now_);
+  show(now_);
+  end_if_asked(now_);
   ++ticks_;
-  flown_ = now - began_ + period_;
+  flown_ = now_ - began_ + period_;
   work_ += std::chrono::steady_clock::now() - work_began;
 }
 
@@ -103,59 +89,48 @@ void FlightLoop::observe_truth() noexcept {
   metrics_.observe({at.x, at.y, at.z, at.vx, at.vy, at.vz, roster_.present()});
 }
 
-void FlightLoop::renew_fields(Time now) noexcept {
-  if (keeper_ == nullptr) {
-    return;
+SwarmView FlightLoop::view() const noexcept {
+  return {seconds_flown(now_), estimate_.x,  estimate_.y, estimate_.z, estimate_.vx,
+          estimate_.vy,        estimate_.vz, command_.x,  command_.y,  command_.z};
+}
+
+const Plan* FlightLoop::newest_plan(Time now) noexcept {
+  if (beside_ == nullptr) {
+    planner_.plan(ticks_, view(), plan_);
+    return &plan_;
   }
-  PositionColumns at{estimate_.x, estimate_.y, estimate_.z};
-  if (roster_.changes()) {
-    std::copy(at.x.begin(), at.x.end(), there_.x.begin());
-    std::copy(at.y.begin(), at.y.end(), there_.y.begin());
-    std::copy(at.z.begin(), at.z.end(), there_.z.begin());
-    leave_out_absent(there_);
-    at = {there_.x, there_.y, there_.z};
-  }
-  keeper_->tick(seconds_flown(now), at, motion_, parts_.engine);
-  note(solver_source_, now, keeper_->solver_state());
+  const Plan* plan = beside_->newest(now);
+  note(planner_source_, now, beside_->fault(now - began_, plan));
+  return plan;
+}
+
+void FlightLoop::note_found(Time now, const Plan& plan) noexcept {
+  note(solver_source_, now, plan.solver);
   for (std::size_t s = 0; s < goal_sources_.size(); ++s) {
     const std::uint64_t before = faults_.count();
-    note(goal_sources_[s], now, keeper_->state_of(s));
+    note(goal_sources_[s], now, plan.goals[s]);
     if (faults_.count() > before) {
-      keeper_->count_unreachable();
+      planner_.keeper()->count_unreachable();
     }
   }
-}
-
-// The model steers p + τ·v: of a robot whose velocity lags by τ this point moves exactly as commanded, so
-// the model's paths and distances hold for it, and the robot trails it.
-void FlightLoop::look_ahead() noexcept {
-  for (std::size_t a = 0; a < agents_; ++a) {
-    ahead_.x[a] = estimate_.x[a] + lead_[a] * estimate_.vx[a];
-    ahead_.y[a] = estimate_.y[a] + lead_[a] * estimate_.vy[a];
-    ahead_.z[a] = estimate_.z[a] + lead_[a] * estimate_.vz[a];
-  }
-}
-
-// Who is not there has no place, and nobody minds it.
-void FlightLoop::leave_out_absent(Columns3& places) const noexcept {
-  constexpr float kNowhere = std::numeric_limits<float>::quiet_NaN();
-  for (std::size_t a = 0; a < agents_ && roster_.changes(); ++a) {
-    if (!roster_.is_there(a)) {
-      places.x[a] = places.y[a] = places.z[a] = kNowhere;
-    }
-  }
-}
-
-void FlightLoop::count_infeasible(Time now, std::size_t infeasible) noexcept {
-  std::size_t avoiding = 0;
-  for (std::size_t a = 0; a < avoids_.size(); ++a) {
-    avoiding += avoids_[a] != 0 && std::isfinite(ahead_.x[a]) ? 1U : 0U;
-  }
-  infeasible_ += infeasible;
-  avoiding_ += avoiding;
-  if (avoiding > 0 && infeasible >= avoiding && !all_infeasible_s_) {
-    all_infeasible_s_ = seconds_flown(now);
+  if (plan.all_infeasible_s && !all_infeasible_s_) {
+    all_infeasible_s_ = plan.all_infeasible_s;
     note(avoidance_source_, now, {HalFault::kLinkDown, kEveryRobot, "avoidance", "every agent infeasible"});
+  }
+  note(engine_source_, now, plan.engine);
+}
+
+// Without a plan nothing is wished of anybody: what is not a number is no wish, and the governor brakes.
+void FlightLoop::wish(const Plan* plan) noexcept {
+  if (plan != nullptr) {
+    std::copy(plan->velocity.x.begin(), plan->velocity.x.end(), desired_.x.begin());
+    std::copy(plan->velocity.y.begin(), plan->velocity.y.end(), desired_.y.begin());
+    std::copy(plan->velocity.z.begin(), plan->velocity.z.end(), desired_.z.begin());
+    return;
+  }
+  constexpr float kNothing = std::numeric_limits<float>::quiet_NaN();
+  for (std::vector<float>* column : {&desired_.x, &desired_.y, &desired_.z}) {
+    std::fill(column->begin(), column->end(), kNothing);
   }
 }
 
@@ -170,16 +145,11 @@ void FlightLoop::judge_ages(Time now) noexcept {
 }
 
 void FlightLoop::decide(Time now) noexcept {
-  look_ahead();
-  const TickTime tick{ticks_, seconds_flown(now), static_cast<float>(to_seconds(period_))};
-  leave_out_absent(ahead_);
-  const TickCounts counts = parts_.engine.compute(
-      {ahead_.x, ahead_.y, ahead_.z, command_.x, command_.y, command_.z}, tick, desired_.writable());
-  moved_ += counts.moved;
-  count_infeasible(now, counts.infeasible);
-  const std::string_view fault = parts_.engine.fault();
-  note(engine_source_, now,
-       {fault.empty() ? HalFault::kNone : HalFault::kLinkDown, kEveryRobot, parts_.engine.name(), fault});
+  const Plan* plan = newest_plan(now);
+  if (plan != nullptr) {
+    note_found(now, *plan);
+  }
+  wish(plan);
   judge_ages(now);
   governor_.govern(
       now,

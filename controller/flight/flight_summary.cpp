@@ -45,15 +45,19 @@ Summary FlightLoop::summarise(ControlSummary timing, double wall_s) const {
   const double agent_ticks = static_cast<double>(agents_) * static_cast<double>(ticks_);
   if (agent_ticks > 0) {
     s.ns_per_agent_tick = std::chrono::duration<double, std::nano>(work_).count() / agent_ticks;
-    if (has_mde(scenario)) {
-      s.mde_percent = 100.0 * static_cast<double>(moved_) / agent_ticks;
-    }
+  }
+  const FieldPlanner::Totals& planned = planner_.totals();
+  const double agent_plans = static_cast<double>(agents_) * static_cast<double>(planned.plans);
+  if (agent_plans > 0 && has_mde(scenario)) {
+    s.mde_percent = 100.0 * static_cast<double>(planned.moved) / agent_plans;
   }
   std::optional<double> infeasible;
-  if (!avoids_.empty()) {
-    s.infeasible_agents = infeasible_;
+  if (planner_.avoids()) {
+    s.infeasible_agents = planned.infeasible;
     s.all_infeasible_s = all_infeasible_s_;
-    infeasible = avoiding_ > 0 ? static_cast<double>(infeasible_) / static_cast<double>(avoiding_) : 0.0;
+    infeasible = planned.avoiding > 0
+                     ? static_cast<double>(planned.infeasible) / static_cast<double>(planned.avoiding)
+                     : 0.0;
   }
   const MetricsResult measured = metrics_.result();
   s.reached_fraction = measured.reached_fraction;
@@ -66,8 +70,8 @@ Summary FlightLoop::summarise(ControlSummary timing, double wall_s) const {
   s.faults = faults_.told(parts_.hal.robots());
   s.control = std::move(timing);
   s.preprocessing_s = parts_.world.preprocessing;
-  if (keeper_ != nullptr) {
-    s.fields = keeper_->summary();
+  if (const FieldPlanner& planner = planner_; planner.keeper() != nullptr) {
+    s.fields = planner.keeper()->summary();
   }
   s.stopped_by_user = stop_level() > 0;
   const auto reached = [&](const std::string& name) -> std::optional<double> {

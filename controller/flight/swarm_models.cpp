@@ -155,7 +155,7 @@ SwarmModels::Places rest_columns(const Scenario& scenario, const World& world, s
 
 float approach_rate(const Scenario& scenario) {
   constexpr float kFastest = 5.0F;  // 1/s
-  return std::min(kFastest, 0.25F * scenario.control.rate);
+  return std::min(kFastest, 0.25F * scenario.decision_rate());
 }
 
 float wall_reach(const Scenario& scenario, const SwarmSpec& swarm, float cell) {
@@ -177,7 +177,7 @@ Follows follows(const Scenario& scenario, const SwarmSpec& swarm) {
 
 float realtime_latency(const Scenario& scenario, const SwarmSpec& swarm) {
   const auto hal = hal_of(scenario, swarm);
-  return 1.0F / scenario.control.rate + (hal ? 1.0F / hal->sim.rate : 0.0F);
+  return 1.0F / scenario.decision_rate() + (hal ? 1.0F / hal->sim.rate : 0.0F);
 }
 
 SwarmModels make_swarm_models(const Scenario& scenario, const World& world, bool in_real_time) {

@@ -58,13 +58,19 @@ std::vector<PlannerSpec> build_planners(const Values& top, Findings& findings) {
       continue;  // Scenario::field_rate
     }
     const Values values = top.map("planners").map(entry.key);
-    planners.push_back({entry.key, values.number_f("rate"), entry.mark.place()});
-    findings.warn(entry.mark,
-                  entry.key == "pso"
-                      ? "planner 'pso' is not available yet; the run goes on without it"
-                      : fmt::format("planner '{}' has no rate of its own yet; noise is evaluated at every "
-                                    "control tick",
-                                    entry.key));
+    const float rate = values.number_f("rate");
+    planners.push_back({entry.key, rate, std::nullopt, entry.mark.place()});
+    if (entry.key == "pso") {
+      findings.warn(entry.mark,
+                    "planner 'pso' is not available yet, in this version; the run goes on without it");
+      continue;
+    }
+    planners.back().latency = values.maybe_number("latency");
+    if (planners.back().latency.value_or(0.0F) * rate > 1.0F + 1e-6F) {
+      findings.error(values.mark("latency"), "a plan would be flown after the next one was begun",
+                     fmt::format("{:g} s", *planners.back().latency),
+                     fmt::format("at most one period, {:g} s", 1.0F / rate));
+    }
   }
   return planners;
 }

@@ -160,10 +160,11 @@ struct RecordSpec {
   float rate = 20.0F;  // Hz
 };
 
-// Of planners but `fields`. Read and kept, though nothing runs them yet (Scenario::warnings says so).
+// Of planners but `fields`. `pso` is read and kept, though nothing runs it yet (Scenario::warnings says so).
 struct PlannerSpec {
   std::string name;
-  float rate = 0.0F;  // Hz
+  float rate = 0.0F;               // Hz
+  std::optional<float> latency{};  // s from a release to when its plan is flown; default one period
   Place place;
 };
 
@@ -184,6 +185,16 @@ struct Scenario {
   std::vector<Expectation> expect;
   std::vector<PlannerSpec> planners;
   std::vector<Error> warnings;  // what is odd but flies
+
+  // Hz, how often the swarm's velocities are chosen anew: by the planner of the field model, or by control.
+  float decision_rate() const {
+    for (const PlannerSpec& planner : planners) {
+      if (planner.name == "curl_noise") {
+        return planner.rate;
+      }
+    }
+    return control.rate;
+  }
 };
 
 }  // namespace mayfly

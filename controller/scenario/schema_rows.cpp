@@ -38,10 +38,14 @@ void add_run_rows(Rows& rows) {
   rows.push_back(
       {.path = "planners", .type = KeyType::kMap, .text = "What plans beside control, at rates of its own."});
   for (const std::string name : {"curl_noise", "pso"}) {
-    rows.push_back({.path = "planners." + name,
-                    .type = KeyType::kMap,
-                    .text = name == "pso" ? "The particle-swarm planner; accepted, not flown yet."
-                                          : "The noise field; evaluated at the control rate for now."});
+    rows.push_back(
+        {.path = "planners." + name,
+         .type = KeyType::kMap,
+         .text =
+             name == "pso"
+                 ? "The particle-swarm planner; accepted, not flown in this version."
+                 : "The model of every swarm, noise included, beside control: it flies the last velocities "
+                   "that were planned. Without it, the model runs in every control tick."});
     rows.push_back({.path = "planners." + name + ".rate",
                     .type = KeyType::kNumber,
                     .unit = "Hz",
@@ -50,6 +54,13 @@ void add_run_rows(Rows& rows) {
                     .required = true,
                     .text = "How often it plans."});
   }
+  rows.push_back({.path = "planners.curl_noise.latency",
+                  .type = KeyType::kNumber,
+                  .unit = "s",
+                  .min = 0.0,
+                  .max = 100.0,
+                  .fallback_text = "one period of the planner",
+                  .text = "From when a plan is begun to when it is flown; at most one period."});
   rows.push_back({.path = "planners.fields",
                   .type = KeyType::kMap,
                   .text = "Fields that are solved again in flight, off the control loop."});

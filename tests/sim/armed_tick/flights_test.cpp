@@ -119,6 +119,14 @@ TEST(ArmedTick, WhereFieldsAreSolvedInFlightIsClean) {
                clock);
 }
 
+TEST(ArmedTick, BesideAPlannerIsClean) {
+  RealtimeClock clock;
+  Scenario scenario =
+      hall("model: field", "path: {points: [[25, 10, 6], [24, 9, 6]], speed: 0.5, loop: true}", 0.6);
+  scenario.planners = {{"curl_noise", 50.0F, {}, {}}};
+  expect_clean(scenario, clock);
+}
+
 TEST(ArmedTick, OfEveryModelIsClean) {
   for (const std::string model :
        {"model: orca", "model: boids", "model: brownian", "model: forces", "model: field, governor: off"}) {

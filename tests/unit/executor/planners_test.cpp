@@ -136,6 +136,20 @@ TEST(PlannerThread, ALateWakeUpIsTheMachines) {
   EXPECT_EQ(stats.missed_by_machine, 1U);
 }
 
+// On the real clock as on the virtual one: nothing flies differently because a machine is fast.
+TEST(PlannerThread, PublishesWhenTheLatencyHasPassedOrLaterIfItWorkedLonger) {
+  ScriptedClock clock;
+  const Time start = clock.now();
+  std::vector<Time> published;
+  PlannerTask planner{*Releases::make("p", 10.0), 60ms,
+                      [&](const TickInfo& info) noexcept { clock.work(info.release == 1 ? 70ms : 1ms); },
+                      [&](const TickInfo&) noexcept { published.push_back(clock.now() - start); }};
+  const std::atomic<bool> ending{false};
+  serve_planner(planner, clock, start, 300ms, ending);
+  EXPECT_EQ(published, (std::vector<Time>{60ms, 170ms, 260ms}));
+  EXPECT_EQ(planner.releases.stats().missed, 0U);
+}
+
 TEST(PlannerThread, EndsBetweenTwoReleasesHoweverRareTheyAre) {
   ScriptedClock clock;
   std::atomic<bool> ending{false};

@@ -87,6 +87,9 @@ TEST_F(Example, ExpectationsAndPlanners) {
   ASSERT_EQ(result->planners.size(), 2U);
   EXPECT_EQ(result->planners[1].name, "pso");
   EXPECT_FLOAT_EQ(result->planners[1].rate, 10.0F);
+  EXPECT_FLOAT_EQ(result->decision_rate(), 50.0F);  // the other one's
+  EXPECT_FALSE(result->planners[0].latency.has_value());
+  EXPECT_EQ(result->control.realtime, RealtimePolicy::kIgnore);
   EXPECT_THAT(test::all_text(result->warnings), testing::HasSubstr("planner 'pso' is not available yet"));
 }
 
