@@ -91,9 +91,6 @@ void Estimator::Work::update(Time now) noexcept {
   for (std::size_t r = 0; r < tracks.size(); ++r) {
     tell(r, now);
   }
-  for (Source& source : sources) {
-    source.judge.have_told();
-  }
 }
 
 // All that is new of a robot, the oldest first.

@@ -6,7 +6,7 @@
 namespace mayfly::estimator {
 namespace {
 
-// This many jumps in a row are believed, once they have been told.
+// After this many jumps in a row the next is believed.
 constexpr int kBelieved = 3;
 // m: who was told to go less far may well be where it was. Motors have a dead band.
 constexpr double kLeastTravel = 1e-3;
@@ -60,7 +60,7 @@ SampleFate SourceJudge::judge(std::size_t robot, const Sample& sample, const Ste
 
 bool SourceJudge::may_begin_anew(std::size_t robot) const noexcept {
   const Suspect& suspect = suspects_[robot];
-  return !suspect.swapped && suspect.told >= kBelieved && suspect.agreeing > kBelieved;
+  return !suspect.swapped && suspect.agreeing > kBelieved;
 }
 
 void SourceJudge::forget(std::size_t robot) noexcept {
@@ -72,15 +72,6 @@ void SourceJudge::acquit(std::size_t robot) noexcept {
   if (suspects_[robot].jumps > 0) {
     suspects_[robot] = {};
     --active_;
-  }
-}
-
-void SourceJudge::have_told() noexcept {
-  if (!any_suspect()) {
-    return;
-  }
-  for (Suspect& suspect : suspects_) {
-    suspect.told = suspect.jumps;
   }
 }
 

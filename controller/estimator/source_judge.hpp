@@ -20,7 +20,6 @@ struct Suspect {
   int jumps = 0;     // refused, in a row
   int agreeing = 0;  // the last of them, each of which follows the one before
   int still = 0;     // the last of those, which stand on one place
-  int told = 0;      // jumps that have been told by the end of the last tick
   Sample last;
   Place rest = Place::Zero();  // where it began to stand
   Time gap{0};                 // between the last pose taken and the first refused
@@ -36,8 +35,9 @@ class SourceJudge {
   // taken it so far.
   SampleFate judge(std::size_t robot, const Sample& sample, const Step& last,
                    const Eigen::RowVector3d& told) noexcept;
-  // Whether a refused pose may be where the robot is after all: three jumps in a row have been told, and this
-  // is at least the fourth that agrees. Not where an exchange is suspected.
+  // Whether a refused pose may be where the robot is after all: at least the fourth in a row that agrees. The
+  // three before were told, for a source has no more than one pose a tick. Not where an exchange is
+  // suspected.
   bool may_begin_anew(std::size_t robot) const noexcept;
   // The robot's next pose is judged as if there had been none before.
   void forget(std::size_t robot) noexcept;
@@ -45,8 +45,6 @@ class SourceJudge {
   void remember(std::size_t robot, const Sample& sample, const Eigen::RowVector3d& told) noexcept {
     freezes(repeats_[robot], sample, told);
   }
-  // At the end of a tick.
-  void have_told() noexcept;
 
   PoseGate gate(std::size_t robot) const noexcept;
   // Whether anybody's poses jump.

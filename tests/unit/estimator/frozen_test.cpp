@@ -134,6 +134,17 @@ TEST(FrozenPose, StaysWhileTheRobotIsHeldAndClearsWithTheFirstOther) {
   EXPECT_TRUE(rig.known(0));
 }
 
+TEST(FrozenPose, IsNotEndedByBeingToldToGoBack) {
+  Rig rig(config_of(1));
+  ASSERT_EQ(frozen_tick(rig, {0.5, 0.0, 0.0}, 20), 5);
+  rig.tell(0, {-0.5, 0.0, 0.0});
+  for (int i = 0; i < 20; ++i) {
+    rig.put(0, {1.0, 2.0, 3.0});
+    rig.tick();
+    ASSERT_TRUE(rig.has(0, Symptom::kFrozenPose)) << i;
+  }
+}
+
 TEST(FrozenPose, ExpiredAndWrongCommandsMoveNobody) {
   Rig rig(config_of(1));
   rig.tell(0, {0.0, std::nan(""), 0.0});

@@ -139,8 +139,7 @@ TEST(ThreeJumps, TheTrackBeginsWithNoMoreThanOneSample) {
   EXPECT_NEAR(rig.estimator.uncertainty(0).velocity, 3.0, 1e-8);
 }
 
-TEST(ThreeJumps, InOneTickAreNotBelievedInIt) {
-  // Two sources, so that a tick may have several samples: all that was told is told at its end.
+TEST(ThreeJumps, OfSeveralSourcesInOneTickAreNotAddedUp) {
   EstimatorConfig config = config_of(1);
   config.sources.resize(4);
   Rig rig(config);

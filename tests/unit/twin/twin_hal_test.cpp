@@ -86,6 +86,8 @@ TEST(Twin, TakesOverInFullFlightWithoutAJump) {
   flight.fly(1);
   EXPECT_TRUE(flight.hal.is_twin(1));
   EXPECT_EQ(flight.hal.report(1).outcome, TwinOutcome::kTakenOut);
+  EXPECT_NEAR(flight.states.vx[1], 1.0F, 1e-5F);
+  EXPECT_NEAR(flight.states.vy[1], -1.0F, 1e-5F);
   flight.fly(200);
   EXPECT_LT(flight.largest_step, 1.001 * static_cast<double>(kSpeed) * kSeconds);
   EXPECT_NEAR(flight.states.y[1], -2.98F, 0.1F) << "the twin flies on";
@@ -331,6 +333,56 @@ TEST_F(Scripted, ATwinHasNoBatteryAndIsAlwaysHeard) {
   EXPECT_TRUE(std::isnan(telemetry[0].battery));
   EXPECT_TRUE(telemetry[0].airborne);
   EXPECT_EQ(telemetry[1].battery, 0.1F);
+}
+
+TEST_F(Scripted, WhoWasNeverCommandedKeepsItsOwnVelocity) {
+  states_.vx[0] = 0.7F;
+  ASSERT_TRUE(hal_->take_out(0));
+  ASSERT_TRUE(hal_->read(now_, states_.columns()).ok());
+  EXPECT_FLOAT_EQ(states_.vx[0], 0.7F);
+  ASSERT_TRUE(hal_->read(now_ + kTick, states_.columns()).ok());
+  EXPECT_NEAR(states_.vx[0], 0.6F, 1e-6F) << "and brakes";
+}
+
+// Fails without a word once it is told to, and leaves the columns as they are.
+class Mute final : public Hal {
+ public:
+  std::span<const RobotInfo> robots() const noexcept override { return {&info_, 1}; }
+  std::string_view name() const noexcept override { return "mute"; }
+  bool fails = false;
+
+ private:
+  Result<void> do_configure() override { return {}; }
+  Result<void> do_activate(Time) override { return {}; }
+  HalResult do_read(Time now, const StateColumns& states) noexcept override {
+    if (fails) {
+      return {HalFault::kLinkDown};
+    }
+    states.stamp[0] = now;
+    states.valid[0] = 1;
+    return {};
+  }
+  HalResult do_write(Time, const CommandColumns&) noexcept override { return {}; }
+  Result<void> do_deactivate(Time) override { return {}; }
+  RobotInfo info_{"mute", "wire"};
+};
+
+TEST(MuteHal, DoesNotHandATwinBackAsItsRobot) {
+  auto mute = std::make_unique<Mute>();
+  Mute* real = mute.get();
+  TwinHal hal(std::move(mute), config_of(1));
+  ASSERT_TRUE(hal.configure());
+  ASSERT_TRUE(hal.activate(Time{0}));
+  contract::States states(1);
+  ASSERT_TRUE(hal.take_out(0));
+  ASSERT_TRUE(hal.read(Time{0}, states.columns()).ok());
+  real->fails = true;
+  for (Time now{0}; now <= std::chrono::milliseconds(200); now += std::chrono::milliseconds(10)) {
+    EXPECT_FALSE(hal.read(now, states.columns()).ok());
+  }
+  ASSERT_TRUE(hal.put_back(0));
+  EXPECT_FALSE(hal.read(std::chrono::milliseconds(210), states.columns()).ok());
+  EXPECT_EQ(hal.report(0).outcome, TwinOutcome::kNoPose);
 }
 
 TEST_F(Scripted, NothingIsAllocatedInFlight) {
