@@ -137,8 +137,8 @@ TEST(FrozenPose, StaysWhileTheRobotIsHeldAndClearsWithTheFirstOther) {
 TEST(FrozenPose, IsNotEndedByBeingToldToGoBack) {
   Rig rig(config_of(1));
   ASSERT_EQ(frozen_tick(rig, {0.5, 0.0, 0.0}, 20), 5);
-  rig.tell(0, {-0.5, 0.0, 0.0});
-  for (int i = 0; i < 20; ++i) {
+  rig.tell(0, {-0.1, 0.0, 0.0});
+  for (int i = 0; i < 60; ++i) {
     rig.put(0, {1.0, 2.0, 3.0});
     rig.tick();
     ASSERT_TRUE(rig.has(0, Symptom::kFrozenPose)) << i;

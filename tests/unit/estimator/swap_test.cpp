@@ -93,6 +93,19 @@ TEST_F(Swap, MovingRobotsAreNotIdentifiedAnew) {
   EXPECT_TRUE(rig.known(1));
 }
 
+TEST_F(Swap, WhoIsToldToMoveDoesNotStand) {
+  fly(20);
+  std::swap(column[0], column[2]);
+  for (int i = 0; i < 50; ++i) {
+    for (std::size_t r = 0; r < 3; ++r) {
+      const double jitter = i % 2 == 0 ? 1e-4 : 0.0;
+      rig.put(column[r], {place[r][0] + jitter, place[r][1], 1.0});
+    }
+    rig.tick();
+    ASSERT_TRUE(is_told()) << i;
+  }
+}
+
 TEST_F(Swap, OnceAllStandEachGoesOnUnderItsNewName) {
   fly(20);
   std::swap(column[0], column[2]);
