@@ -12,20 +12,20 @@ namespace mayfly {
 // with what it was.
 class ArmedTick {
  public:
-  ArmedTick() noexcept { ++depth_; }
-  ~ArmedTick() { --depth_; }
+  ArmedTick() noexcept { ++depth; }
+  ~ArmedTick() { --depth; }
   ArmedTick(const ArmedTick&) = delete;
   ArmedTick& operator=(const ArmedTick&) = delete;
 
   // Of the calling thread. Safe in a signal handler and inside malloc.
-  static bool is_now() noexcept { return depth_ > 0; }
-  static void report() noexcept { offences_.fetch_add(1, std::memory_order_relaxed); }
+  static bool is_now() noexcept { return depth > 0; }
+  static void report() noexcept { offence_count.fetch_add(1, std::memory_order_relaxed); }
   // Of all threads, since the program began.
-  static std::uint64_t offences() noexcept { return offences_.load(std::memory_order_relaxed); }
+  static std::uint64_t offences() noexcept { return offence_count.load(std::memory_order_relaxed); }
 
  private:
-  static constinit inline thread_local int depth_ = 0;
-  static constinit inline std::atomic<std::uint64_t> offences_{0};
+  static constinit inline thread_local int depth = 0;
+  static constinit inline std::atomic<std::uint64_t> offence_count{0};
 };
 
 }  // namespace mayfly
