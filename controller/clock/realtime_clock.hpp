@@ -5,8 +5,8 @@
 
 namespace mayfly {
 
-// CLOCK_MONOTONIC, counted from construction unless told otherwise: a jump of the wall clock cannot move a robot. Sleeps are
-// absolute, so a late wake-up never shifts the next one. Thread-safe.
+// CLOCK_MONOTONIC, counted from construction unless told otherwise: a jump of the wall clock cannot move a
+// robot. Sleeps are absolute, so a late wake-up never shifts the next one. Thread-safe.
 class RealtimeClock final : public Clock {
  public:
   RealtimeClock() noexcept;
