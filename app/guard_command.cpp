@@ -8,13 +8,12 @@
 #include <utility>
 
 #include "app/exit_code.hpp"
-#include "app/interim_guard.hpp"
 #include "app/link_report.hpp"
 #include "app/log.hpp"
 #include "app/signals.hpp"
 #include "app/wiring.hpp"
 #include "controller/clock/realtime_clock.hpp"
-#include "controller/flight/flight_config.hpp"
+#include "controller/flight/flight_guard.hpp"
 #include "controller/flight/flight_rights.hpp"
 #include "controller/flight/placement.hpp"
 #include "controller/link/guard_loop.hpp"
@@ -112,15 +111,14 @@ Result<link::LinkReport> fly(const Loaded& loaded, link::GuardEnd& end, Hal& rob
     return fail(std::move(configured.error()));
   }
   Motion motion(loaded.scenario);
-  auto governor = Governor::make(governor_config(loaded.scenario, *loaded.world, motion));
-  if (!governor) {
-    return fail(std::move(governor.error()));
+  auto guard = Guard::create(guard_config(loaded.scenario, *loaded.world, motion, clock), tap);
+  if (!guard) {
+    return fail(std::move(guard.error()));
   }
   const auto rate = static_cast<double>(loaded.scenario.control.rate);
-  InterimGuard guard(std::move(*governor), tap, kWishPeriods * from_seconds(1.0 / rate));
   const StopSignals signals(StopSignals::Of::kGuard);
   const PlannerWatch watch(planner);
-  link::GuardLoop loop({guard, tap, end, clock, watch.gone(), signals.stop()});
+  link::GuardLoop loop({**guard, tap, end, clock, watch.gone(), signals.stop()});
   Executor executor(clock);
   Time began{0};
   if (auto added = executor.add_task("guard", rate,

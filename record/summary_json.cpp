@@ -88,9 +88,24 @@ Json faults(const std::vector<FaultEvent>& events) {
     list.push_back(Json{{"time_s", number(event.time_s)},
                         {"robot", event.robot},
                         {"link", event.link},
-                        {"cause", event.cause}});
+                        {"cause", event.cause},
+                        {"severity", event.severity.empty() ? Json() : Json(event.severity)}});
   }
   return list;
+}
+
+Json counts(const std::vector<std::pair<std::string, std::uint64_t>>& named) {
+  Json object = Json::object();
+  for (const auto& [name, count] : named) {
+    object[name] = count;
+  }
+  return object;
+}
+
+Json safety(const SafetySummary& safety) {
+  return {{"severity_max", safety.severity_max},   {"invariants", counts(safety.invariants)},
+          {"reactions", counts(safety.reactions)}, {"wishes_refused", safety.wishes_refused},
+          {"stalled_ticks", safety.stalled_ticks}, {"incidents", safety.incidents}};
 }
 
 Json expectations(const std::vector<ExpectationResult>& results) {
@@ -126,6 +141,7 @@ std::string to_json(const Summary& s) {
       {"infeasible_agents", number(s.infeasible_agents)},
       {"governor_interventions", s.governor_interventions},
       {"faults", faults(s.faults)},
+      {"safety", safety(s.safety)},
       {"max_speed_mps", number(s.max_speed_mps)},
       {"max_acceleration_mps2", number(s.max_acceleration_mps2)},
       {"control", control(s.control)},

@@ -10,9 +10,11 @@
 #include "controller/executor/executor.hpp"
 #include "controller/flight/field_keeper.hpp"
 #include "controller/flight/flight_config.hpp"
+#include "controller/flight/flight_guard.hpp"
 #include "controller/flight/flight_loop.hpp"
 #include "controller/flight/flight_rights.hpp"
 #include "controller/flight/timing_summary.hpp"
+#include "controller/guard/guarded_hal.hpp"
 #include "controller/planner/curl_noise_planner.hpp"
 
 namespace mayfly {
@@ -55,17 +57,13 @@ Result<void> add_tasks(Executor& executor, const Scenario& scenario, FlightLoop&
 
 Result<Summary> fly(const FlightParts& parts) {
   Motion motion(parts.scenario);
-  auto governor = Governor::make(governor_config(parts.scenario, parts.world, motion));
-  if (!governor) {
-    return fail(std::move(governor.error()));
+  std::optional<GuardedHal> own_guard;
+  if (parts.guard == nullptr) {
+    own_guard.emplace(guard_config(parts.scenario, parts.world, motion, parts.clock), parts.hal);
   }
-  if (auto configured = parts.hal.configure(); !configured) {
+  GuardPort& guard = parts.guard == nullptr ? *own_guard : *parts.guard;
+  if (auto configured = guard.configure(); !configured) {
     return fail(std::move(configured.error()));
-  }
-  if (parts.hal.robots().size() != governor->agents()) {
-    return fail(Cause::kDevice, "the HAL has " + std::to_string(parts.hal.robots().size()) +
-                                    " robots, the scenario " + std::to_string(governor->agents()) +
-                                    " agents");
   }
   std::unique_ptr<FieldKeeper> keeper;
   if (parts.world.solver != nullptr) {
@@ -81,7 +79,7 @@ Result<Summary> fly(const FlightParts& parts) {
   if (curl_noise_of(parts.scenario) != nullptr) {
     beside.emplace(parts.scenario, planner);
   }
-  FlightLoop flight(parts, motion, planner, beside ? &*beside : nullptr, std::move(*governor),
+  FlightLoop flight(parts, motion, planner, beside ? &*beside : nullptr, guard,
                     Metrics(metrics_config(parts.scenario, parts.world, motion)));
   auto rights = take_rights(parts);
   if (!rights) {
@@ -96,12 +94,12 @@ Result<Summary> fly(const FlightParts& parts) {
     return fail(std::move(added.error()));
   }
   const auto start = std::chrono::steady_clock::now();
-  if (auto activated = parts.hal.activate(parts.clock.now()); !activated) {
+  if (auto activated = guard.activate(parts.clock.now()); !activated) {
     return fail(std::move(activated.error()));
   }
   const auto flown = executor.run(from_seconds(parts.scenario.duration), flight.finished());
   const double wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  auto deactivated = parts.hal.deactivate(parts.clock.now());
+  auto deactivated = guard.deactivate(parts.clock.now());
   if (!deactivated) {
     return fail(std::move(deactivated.error()));
   }

@@ -1,4 +1,4 @@
-// One flight from arming to standstill: read → estimate → engine → governor → write, at a fixed rate.
+// One flight from arming to standstill: read → estimate → engine → guard → write, at a fixed rate.
 #pragma once
 
 #include <atomic>
@@ -10,6 +10,7 @@
 #include "controller/flight/observer.hpp"
 #include "controller/flight/summary.hpp"
 #include "controller/flight/world.hpp"
+#include "controller/guard/guard_port.hpp"
 #include "controller/scenario/scenario.hpp"
 #include "core/clock.hpp"
 #include "core/hal.hpp"
@@ -44,6 +45,8 @@ struct FlightParts {
   std::span<Observer* const> observers{};
   const StopRequest* stop = nullptr;
   FlightGauge* gauge = nullptr;
+  // Where the guard is somewhere else (another process): then `hal` is not touched, but for its name.
+  GuardPort* guard = nullptr;
 };
 
 // Flies the scenario to its end. An error means that nothing flew (the HAL refused); faults in flight are in

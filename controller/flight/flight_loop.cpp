@@ -12,30 +12,27 @@ namespace {
 // After Ctrl-C the swarm holds until it stands still, but no longer than this.
 constexpr double kMostHoldSeconds = 2.0;
 constexpr float kStandingStill = 0.05F;  // m/s
-// A command is good for this many control periods: long enough for one late tick, short enough to stop soon
+// A wish is good for this many control periods: long enough for one late tick, short enough to stop soon
 // after the last.
-constexpr int kCommandPeriods = 5;
+constexpr int kWishPeriods = 5;
 
 }  // namespace
 
 FlightLoop::FlightLoop(const FlightParts& parts, Motion& motion, FieldPlanner& planner,
-                       CurlNoisePlanner* beside, Governor governor, Metrics metrics)
+                       CurlNoisePlanner* beside, GuardPort& guard, Metrics metrics)
     : parts_(parts),
       motion_(motion),
       planner_(planner),
       beside_(beside),
       agents_(parts.hal.robots().size()),
       period_(from_seconds(1.0 / static_cast<double>(parts.scenario.control.rate))),
-      governor_(std::move(governor)),
+      guard_(guard),
       metrics_(std::move(metrics)),
       estimate_(agents_),
       truth_(agents_),
       roster_(parts.scenario),
       plan_(beside == nullptr ? agents_ : 0, parts.scenario.swarms.size()),
       desired_(agents_),
-      command_(agents_),
-      known_(agents_),
-      authority_(agents_, Authority::kGoverned),
       kind_(agents_, CommandKind::kHold),
       goal_sources_(parts.scenario.swarms.size()) {}
 
@@ -48,8 +45,8 @@ void FlightLoop::sense() noexcept {
   motion_.set_time(seconds_flown(now_));
   roster_.set_time(seconds_flown(now_));
   asked_to_stop_ = stop_level();
-  note(hal_source_, now_, parts_.hal.read(now_, estimate_.inbox()));
-  note_liar(now_, estimate_.update());
+  note(hal_source_, now_, guard_.read(now_, estimate_.inbox()));
+  static_cast<void>(estimate_.update());
   observe_truth();
   if (beside_ != nullptr) {
     beside_->offer(now_, view());
@@ -72,14 +69,6 @@ void FlightLoop::note(FaultLog::Source& source, Time now, const HalResult& resul
   faults_.note(source, now - began_, result);
 }
 
-void FlightLoop::note_liar(Time now, std::optional<RobotIndex> liar) noexcept {
-  HalResult result;
-  if (liar) {
-    result = {HalFault::kNotFinite, *liar, parts_.hal.robots()[*liar].link, "its state is not a number"};
-  }
-  note(state_source_, now, result);
-}
-
 void FlightLoop::observe_truth() noexcept {
   if (parts_.truth != nullptr) {
     parts_.truth->truth(truth_.inbox());
@@ -90,8 +79,9 @@ void FlightLoop::observe_truth() noexcept {
 }
 
 SwarmView FlightLoop::view() const noexcept {
+  const CommandColumns sent = guard_.written();
   return {seconds_flown(now_), estimate_.x,  estimate_.y, estimate_.z, estimate_.vx,
-          estimate_.vy,        estimate_.vz, command_.x,  command_.y,  command_.z};
+          estimate_.vy,        estimate_.vz, sent.vx,     sent.vy,     sent.vz};
 }
 
 const Plan* FlightLoop::newest_plan(Time now) noexcept {
@@ -120,28 +110,19 @@ void FlightLoop::note_found(Time now, const Plan& plan) noexcept {
   note(engine_source_, now, plan.engine);
 }
 
-// Without a plan nothing is wished of anybody: what is not a number is no wish, and the governor brakes.
-void FlightLoop::wish(const Plan* plan) noexcept {
+// Before the first plan everybody holds. Later on a plan that is missing is none that may be flown: a wish
+// that has run out tells the guard so.
+void FlightLoop::wish(Time now, const Plan* plan) noexcept {
   if (plan != nullptr) {
+    if (!has_planned_) {
+      has_planned_ = true;
+      std::fill(kind_.begin(), kind_.end(), CommandKind::kVelocity);
+    }
     std::copy(plan->velocity.x.begin(), plan->velocity.x.end(), desired_.x.begin());
     std::copy(plan->velocity.y.begin(), plan->velocity.y.end(), desired_.y.begin());
     std::copy(plan->velocity.z.begin(), plan->velocity.z.end(), desired_.z.begin());
-    return;
   }
-  constexpr float kNothing = std::numeric_limits<float>::quiet_NaN();
-  for (std::vector<float>* column : {&desired_.x, &desired_.y, &desired_.z}) {
-    std::fill(column->begin(), column->end(), kNothing);
-  }
-}
-
-// A stamp from the future would never grow old.
-void FlightLoop::judge_ages(Time now) noexcept {
-  const Time most = most_state_age(parts_.scenario);
-  for (std::size_t a = 0; a < agents_; ++a) {
-    const Time age = now - estimate_.stamp[a];
-    known_[a] = estimate_.valid[a] != 0 && age <= most && age >= -most ? 1 : 0;
-    authority_[a] = roster_.is_there(a) ? Authority::kGoverned : Authority::kAbsent;
-  }
+  wish_until_ = plan != nullptr || !has_planned_ ? now + kWishPeriods * period_ : now - Time(1);
 }
 
 void FlightLoop::decide(Time now) noexcept {
@@ -149,37 +130,27 @@ void FlightLoop::decide(Time now) noexcept {
   if (plan != nullptr) {
     note_found(now, *plan);
   }
-  wish(plan);
-  judge_ages(now);
-  governor_.govern(
-      now,
-      {estimate_.x, estimate_.y, estimate_.z, estimate_.vx, estimate_.vy, estimate_.vz, known_, authority_},
-      {desired_.x, desired_.y, desired_.z}, {kind_, command_.x, command_.y, command_.z});
-  for (std::size_t a = 0; a < agents_ && roster_.changes(); ++a) {
-    kind_[a] = roster_.is_there(a) ? kind_[a] : CommandKind::kHold;
-  }
-  if (asked_to_stop_ > 0) {
-    std::fill(kind_.begin(), kind_.end(), asked_to_stop_ > 1 ? CommandKind::kStop : CommandKind::kHold);
-  }
+  wish(now, plan);
 }
 
 void FlightLoop::write(Time now) noexcept {
-  const CommandColumns commands{
-      kind_, command_.x, command_.y, command_.z, now + kCommandPeriods * period_, ++sequence_};
-  note(write_source_, now, parts_.hal.write(now, commands));
+  guard_.set_present(roster_.present());
+  guard_.ask_to_stop(asked_to_stop_);
+  note(write_source_, now,
+       guard_.write(now, {kind_, desired_.x, desired_.y, desired_.z, wish_until_, ++sequence_}));
 }
 
 void FlightLoop::show(Time now) noexcept {
   const Estimate& at = seen();
-  const TickView view{
-      ticks_, now - began_, at.x,       at.y,       at.z,  at.vx,           at.vy,
-      at.vz,  command_.x,   command_.y, command_.z, kind_, estimate_.fresh, roster_.present()};
+  const CommandColumns sent = guard_.written();
+  const TickView view{ticks_, now - began_, at.x,    at.y,    at.z,      at.vx,           at.vy,
+                      at.vz,  sent.vx,      sent.vy, sent.vz, sent.kind, estimate_.fresh, roster_.present()};
   for (Observer* observer : parts_.observers) {
     observer->on_tick(view);
   }
   if (parts_.gauge != nullptr) {
     parts_.gauge->flown_ns.store((now - began_ + period_).count(), std::memory_order_relaxed);
-    parts_.gauge->faults.store(faults_.count(), std::memory_order_relaxed);
+    parts_.gauge->faults.store(faults_.count() + guard_.reactions(), std::memory_order_relaxed);
   }
 }
 

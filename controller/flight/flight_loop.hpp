@@ -12,7 +12,7 @@
 #include "controller/flight/flight.hpp"
 #include "controller/flight/motion.hpp"
 #include "controller/flight/roster.hpp"
-#include "controller/governor/governor.hpp"
+#include "controller/guard/guard_port.hpp"
 #include "controller/metrics/metrics.hpp"
 #include "controller/planner/curl_noise_planner.hpp"
 
@@ -21,10 +21,11 @@ namespace mayfly {
 // Columns are taken at the start; a tick allocates nothing.
 class FlightLoop {
  public:
-  // `motion` is what governor and metrics see obstacles and goals by; it is kept at the time of the tick.
-  // `beside` is the planner that runs `planner` in a task of its own; null: it runs in the tick.
+  // `guard` stands before the robots: what is decided here is a wish to it. `motion` is what guard and
+  // metrics see obstacles and goals by; it is kept at the time of the tick. `beside` is the planner that runs
+  // `planner` in a task of its own; null: it runs in the tick.
   FlightLoop(const FlightParts& parts, Motion& motion, FieldPlanner& planner, CurlNoisePlanner* beside,
-             Governor governor, Metrics metrics);
+             GuardPort& guard, Metrics metrics);
 
   // The two halves of a tick: what there is, and what is to be done.
   void sense() noexcept;
@@ -40,13 +41,11 @@ class FlightLoop {
   double seconds_flown(Time now) const { return to_seconds(now - began_); }
 
   void note(FaultLog::Source& source, Time now, const HalResult& result) noexcept;
-  void note_liar(Time now, std::optional<RobotIndex> liar) noexcept;
   void observe_truth() noexcept;
   SwarmView view() const noexcept;
   const Plan* newest_plan(Time now) noexcept;
   void note_found(Time now, const Plan& plan) noexcept;
-  void wish(const Plan* plan) noexcept;
-  void judge_ages(Time now) noexcept;
+  void wish(Time now, const Plan* plan) noexcept;
   void decide(Time now) noexcept;
   void write(Time now) noexcept;
   void show(Time now) noexcept;
@@ -58,20 +57,19 @@ class FlightLoop {
   CurlNoisePlanner* beside_;
   std::size_t agents_;
   Time period_;
-  Governor governor_;
+  GuardPort& guard_;
   Metrics metrics_;
   Estimate estimate_;
   Estimate truth_;
   Roster roster_;
   Plan plan_;  // where it is made in the tick
   Columns3 desired_;
-  Columns3 command_;
-  std::vector<std::uint8_t> known_;  // one an agent: whether its state is young enough to fly by
-  std::vector<Authority> authority_;
-  std::vector<CommandKind> kind_;
+  std::vector<CommandKind> kind_;  // of the wish
+  bool has_planned_ = false;
+  Time wish_until_{0};
   FaultLog faults_;
-  FaultLog::Source hal_source_, state_source_, write_source_, engine_source_, solver_source_,
-      avoidance_source_, planner_source_;
+  FaultLog::Source hal_source_, write_source_, engine_source_, solver_source_, avoidance_source_,
+      planner_source_;
   std::vector<FaultLog::Source> goal_sources_;  // one a swarm
   std::uint64_t sequence_ = 0;
   std::uint64_t ticks_ = 0;

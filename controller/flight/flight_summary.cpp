@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "controller/flight/expectations.hpp"
+#include "controller/flight/flight_guard.hpp"
 #include "controller/flight/flight_loop.hpp"
 
 namespace mayfly {
@@ -66,8 +67,9 @@ Summary FlightLoop::summarise(ControlSummary timing, double wall_s) const {
   s.penetrations = measured.penetrations;
   s.max_speed_mps = measured.max_speed_mps;
   s.max_acceleration_mps2 = measured.max_acceleration_mps2;
-  s.governor_interventions = governor_.counters().interventions;
-  s.faults = faults_.told(parts_.hal.robots());
+  s.governor_interventions = guard_.report().governor.interventions;
+  s.faults = with_reactions(faults_.told(guard_.robots()), guard_, began_);
+  s.safety = told_of(guard_);
   s.control = std::move(timing);
   s.preprocessing_s = parts_.world.preprocessing;
   if (const FieldPlanner& planner = planner_; planner.keeper() != nullptr) {

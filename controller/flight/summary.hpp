@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace mayfly {
@@ -57,6 +58,17 @@ struct FaultEvent {
   std::string robot;  // empty: all robots of the link
   std::string link;
   std::string cause;
+  std::string severity{};  // of the guard's reaction: "hold"; empty where it had none
+};
+
+// What the guard did; docs/explanation/guard.md.
+struct SafetySummary {
+  std::string severity_max = "none";                              // the worst that any robot had at any tick
+  std::vector<std::pair<std::string, std::uint64_t>> invariants;  // breaches of each
+  std::vector<std::pair<std::string, std::uint64_t>> reactions;   // how many of each severity began
+  std::uint64_t wishes_refused = 0;                               // out of sequence
+  std::uint64_t stalled_ticks = 0;                                // without a wish that was young enough
+  std::uint64_t incidents = 0;                                    // for which a black box was sealed
 };
 
 struct ExpectationResult {
@@ -102,6 +114,7 @@ struct Summary {
   std::optional<double> all_infeasible_s;
   std::uint64_t governor_interventions = 0;  // agent-ticks
   std::vector<FaultEvent> faults;
+  SafetySummary safety;
   std::optional<double> max_speed_mps;
   std::optional<double> max_acceleration_mps2;
   ControlSummary control;

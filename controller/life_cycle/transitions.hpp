@@ -101,6 +101,11 @@ constexpr bool allows(RobotState state, CommandKind kind) noexcept;
 // What is sent to a robot in this state of whom nothing is wished, or nothing that it may be sent.
 constexpr CommandKind own_command(RobotState state, bool airborne) noexcept;
 
+// Whether its motors may turn: what goes wrong with it then matters.
+constexpr bool is_armed(RobotState state) noexcept {
+  return (state >= RobotState::kArmed && state <= RobotState::kLanding) || state == RobotState::kFault;
+}
+
 // As on the reference page: "taking off", "checks passed".
 std::string_view name_of(RobotState state) noexcept;
 std::string_view name_of(RobotEvent event) noexcept;

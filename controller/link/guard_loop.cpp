@@ -50,7 +50,7 @@ void GuardLoop::tick(const TickInfo& info) noexcept {
 // behind: what follows is in the table of reactions, until everybody rests.
 CommandColumns GuardLoop::next_wish(Time now) noexcept {
   CommandColumns wish = parts_.end.wish(now);
-  heed_operator(now);
+  heed_operator();
   const int asked =
       std::max(parts_.asked_to_stop.load(std::memory_order_relaxed), static_cast<int>(parts_.end.stop()));
   if (asked > 1) {
@@ -64,10 +64,10 @@ CommandColumns GuardLoop::next_wish(Time now) noexcept {
   return wish;
 }
 
-void GuardLoop::heed_operator(Time now) noexcept {
+void GuardLoop::heed_operator() noexcept {
   if (parts_.end.acknowledged() != acknowledged_) {
     acknowledged_ = parts_.end.acknowledged();
-    static_cast<void>(parts_.guard.acknowledge(now));
+    static_cast<void>(parts_.guard.acknowledge());
   }
 }
 

@@ -62,7 +62,7 @@ class GuardLoop {
   static constexpr std::size_t kMostStops = 64;
 
   CommandColumns next_wish(Time now) noexcept;
-  void heed_operator(Time now) noexcept;
+  void heed_operator() noexcept;
   void note(FaultLog::Source& source, Time now, const HalResult& result) noexcept;
   void show(Time now, const HalResult& result) noexcept;
   void account(const TickInfo& info, Time now) noexcept;

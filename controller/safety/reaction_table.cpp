@@ -139,6 +139,11 @@ std::string_view name_of(Severity severity) noexcept {
   return kNames[static_cast<std::size_t>(severity)];
 }
 
+std::string_view key_of(Severity severity) noexcept {
+  constexpr std::string_view kKeys[] = {"none", "report", "clamp", "hold", "hold_all", "land", "cut"};
+  return kKeys[static_cast<std::size_t>(severity)];
+}
+
 std::string_view name_of(Scope scope) noexcept {
   constexpr std::string_view kNames[] = {"that robot", "its link", "everybody"};
   return kNames[static_cast<std::size_t>(scope)];

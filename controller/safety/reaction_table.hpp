@@ -35,6 +35,8 @@ const SymptomInfo& info_of(Symptom symptom) noexcept;
 
 // "R3 hold all"; for kNone "none".
 std::string_view name_of(Severity severity) noexcept;
+// As in the summary: "hold_all".
+std::string_view key_of(Severity severity) noexcept;
 std::string_view name_of(Scope scope) noexcept;
 
 // docs/reference/fault-table.md, whole.

@@ -44,6 +44,7 @@ class Symptoms {
  public:
   constexpr void add(Symptom symptom) noexcept { bits_ |= bit(symptom); }
   constexpr void add(Symptoms others) noexcept { bits_ |= others.bits_; }
+  constexpr void remove(Symptoms others) noexcept { bits_ &= ~others.bits_; }
   constexpr bool has(Symptom symptom) const noexcept { return (bits_ & bit(symptom)) != 0; }
   constexpr bool empty() const noexcept { return bits_ == 0; }
   constexpr bool operator==(const Symptoms&) const = default;

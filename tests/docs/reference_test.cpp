@@ -5,6 +5,8 @@
 #include <regex>
 #include <set>
 
+#include "controller/guard/invariants.hpp"
+#include "controller/safety/reaction_table.hpp"
 #include "record/csv_text.hpp"
 #include "record/summary_json.hpp"
 #include "tests/docs/page.hpp"
@@ -49,6 +51,12 @@ TEST(Reference, SummaryPageHasEveryKeyOfTheFile) {
   Summary summary;
   summary.faults.emplace_back();
   summary.expect.emplace_back();
+  for (std::size_t i = 0; i < kInvariants; ++i) {
+    summary.safety.invariants.emplace_back(key_of(static_cast<Invariant>(i)), 0);
+  }
+  for (std::size_t i = 1; i < kSeverities; ++i) {
+    summary.safety.reactions.emplace_back(key_of(static_cast<Severity>(i)), 0);
+  }
   summary.control.tasks.emplace_back();
   summary.control.ages.emplace_back();
   Names keys;

@@ -2,6 +2,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <glm/geometric.hpp>
+
 #include "tests/unit/flight/sortie.hpp"
 
 namespace mayfly::test {
@@ -39,12 +42,19 @@ TEST(Stop, HoldsEverybodyAndEndsWhenAllStandStill) {
   ASSERT_TRUE(summary);
   EXPECT_TRUE(summary->stopped_by_user);
   EXPECT_THAT(sortie.hal.written.at(49).kinds, Each(CommandKind::kVelocity));
-  // Asked after tick 49: told to hold at 50, standing still as of 51 (ideal points).
+  // Asked after tick 49: from 50 on everybody brakes inside what it has reserved, at 20 m/s² from 3 m/s at
+  // most, then holds.
   ASSERT_GE(summary->ticks, 51U);
-  EXPECT_LE(summary->ticks, 53U);
+  EXPECT_LE(summary->ticks, 70U);
   for (std::size_t tick = 50; tick < sortie.hal.written.size(); ++tick) {
-    EXPECT_THAT(sortie.hal.written[tick].kinds, Each(CommandKind::kHold)) << tick;
+    for (std::size_t robot = 0; robot < 5; ++robot) {
+      const float before = glm::length(sortie.hal.written[tick - 1].velocities[robot]);
+      const float speed = glm::length(sortie.hal.written[tick].velocities[robot]);
+      EXPECT_LE(speed, std::max(0.0F, before - 0.2F + 1e-4F)) << tick;
+    }
   }
+  EXPECT_THAT(sortie.hal.written.back().kinds, Each(CommandKind::kHold));
+  EXPECT_EQ(summary->safety.severity_max, "hold_all");
   EXPECT_THAT(stop.shown, Each(CommandKind::kHold)) << "what is recorded is what was written";
   EXPECT_EQ(sortie.hal.deactivated, 1);
   EXPECT_NEAR(summary->simulated_s, 0.01 * static_cast<double>(summary->ticks), 1e-9);

@@ -24,7 +24,10 @@ Summary full() {
   Summary summary;
   summary.control.tasks.emplace_back().name = "control";
   summary.control.ages.emplace_back().name = "curl_noise to control";
-  summary.faults.push_back({1.5, "flies_3", "sim", "silent"});
+  summary.faults.push_back({1.5, "flies_3", "sim", "silent", "hold"});
+  summary.faults.push_back({1.6, "", "sim", "bus off"});
+  summary.safety.invariants.emplace_back("separation", 2);
+  summary.safety.reactions.emplace_back("hold", 3);
   summary.expect.push_back({"reached flies at exit", 1.0, ">= 0.99", true});
   return summary;
 }
@@ -35,8 +38,12 @@ TEST(SummaryJson, KeysAreTheContract) {
               ElementsAre("scenario", "engine", "hal", "seed", "agents", "ticks", "simulated_s", "wall_s",
                           "realtime_factor", "ns_per_agent_tick", "reached_fraction", "min_separation_m",
                           "collisions", "penetrations", "mde_percent", "infeasible_agents",
-                          "governor_interventions", "faults", "max_speed_mps", "max_acceleration_mps2",
-                          "control", "preprocessing_s", "fields", "expect"));
+                          "governor_interventions", "faults", "safety", "max_speed_mps",
+                          "max_acceleration_mps2", "control", "preprocessing_s", "fields", "expect"));
+  EXPECT_THAT(keys_of(json["safety"]), ElementsAre("severity_max", "invariants", "reactions",
+                                                   "wishes_refused", "stalled_ticks", "incidents"));
+  EXPECT_EQ(json["safety"]["invariants"]["separation"], 2);
+  EXPECT_EQ(json["safety"]["reactions"]["hold"], 3);
   EXPECT_THAT(keys_of(json["control"]),
               ElementsAre("rate_hz", "ticks", "missed", "missed_by_machine", "jitter_us", "run_us",
                           "realtime", "missing_rights", "witness_us", "tasks", "ages"));
@@ -49,7 +56,9 @@ TEST(SummaryJson, KeysAreTheContract) {
   EXPECT_THAT(keys_of(json["preprocessing_s"]), ElementsAre("distance", "noise", "cost"));
   EXPECT_THAT(keys_of(json["fields"]), ElementsAre("updates", "age_s", "solve_s", "unreachable"));
   EXPECT_THAT(keys_of(json["fields"]["age_s"]), ElementsAre("p50", "p99", "max"));
-  EXPECT_THAT(keys_of(json["faults"][0]), ElementsAre("time_s", "robot", "link", "cause"));
+  EXPECT_THAT(keys_of(json["faults"][0]), ElementsAre("time_s", "robot", "link", "cause", "severity"));
+  EXPECT_EQ(json["faults"][0]["severity"], "hold");
+  EXPECT_TRUE(json["faults"][1]["severity"].is_null()) << "not a reaction of the guard's";
   EXPECT_THAT(keys_of(json["expect"][0]), ElementsAre("name", "value", "wanted", "pass"));
 }
 

@@ -1,0 +1,134 @@
+#include "controller/guard/orders.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+namespace mayfly {
+namespace {
+
+// Of what is wished of a robot whose link is bad.
+constexpr float kClampedShare = 0.5F;
+
+}  // namespace
+
+Orders::Orders(Config config)
+    : config_(std::move(config)),
+      authority_(config_.robots, Authority::kBraking),
+      ending_(config_.robots, Ending::kHold),
+      vx_(config_.robots),
+      vy_(config_.robots),
+      vz_(config_.robots),
+      ours_(config_.robots, 1) {}
+
+void Orders::give(const Tick& tick) noexcept {
+  for (std::size_t robot = 0; robot < authority_.size(); ++robot) {
+    order(tick, robot);
+  }
+}
+
+void Orders::set(std::size_t robot, Authority authority, Ending ending) noexcept {
+  constexpr float kNothing = std::numeric_limits<float>::quiet_NaN();
+  authority_[robot] = authority;
+  ending_[robot] = ending;
+  ours_[robot] = authority == Authority::kAbsent || authority == Authority::kForeign ? 0 : 1;
+  wish_of(robot, kNothing, kNothing, kNothing);
+}
+
+void Orders::wish_of(std::size_t robot, float x, float y, float z) noexcept {
+  vx_[robot] = x;
+  vy_[robot] = y;
+  vz_[robot] = z;
+}
+
+// From the strongest word to the weakest.
+void Orders::order(const Tick& tick, std::size_t robot) noexcept {
+  const Severity severity = tick.severities[robot];
+  const RobotState state = tick.lives.state(static_cast<RobotIndex>(robot));
+  if (!tick.present.empty() && tick.present[robot] == 0) {
+    set(robot, Authority::kAbsent, Ending::kHold);
+  } else if (severity >= Severity::kCut) {
+    set(robot, Authority::kForeign, Ending::kStop);
+  } else if (!is_armed(state)) {
+    obey(tick, robot);
+  } else if (severity >= Severity::kLand || state == RobotState::kLanding) {
+    land(tick, robot);
+  } else if (tick.symptoms[robot].has(Symptom::kSilent)) {
+    set(robot, Authority::kSilent, Ending::kHold);
+  } else if (severity >= Severity::kHold) {
+    set(robot, Authority::kBraking, Ending::kHold);
+  } else {
+    obey(tick, robot);
+  }
+}
+
+void Orders::obey(const Tick& tick, std::size_t robot) noexcept {
+  switch (tick.lives.admit(static_cast<RobotIndex>(robot), tick.wish.kind(robot))) {
+    case CommandKind::kVelocity: {
+      set(robot, Authority::kGoverned, Ending::kAsGoverned);
+      const bool slow =
+          tick.severities[robot] >= Severity::kClamp && tick.symptoms[robot].has(Symptom::kLinkDegraded);
+      const float share = slow ? kClampedShare : 1.0F;
+      wish_of(robot, share * tick.wish.vx()[robot], share * tick.wish.vy()[robot],
+              share * tick.wish.vz()[robot]);
+      return;
+    }
+    case CommandKind::kTakeOff:
+      set(robot, Authority::kForeign, Ending::kTakeOff);
+      return;
+    case CommandKind::kLand:
+      land(tick, robot);
+      return;
+    case CommandKind::kStop:
+      set(robot, Authority::kForeign, Ending::kStop);
+      return;
+    case CommandKind::kNone:
+      set(robot, Authority::kAtRest, Ending::kNone);
+      return;
+    case CommandKind::kHold:
+      break;
+  }
+  const RobotState state = tick.lives.state(static_cast<RobotIndex>(robot));
+  set(robot, is_armed(state) ? Authority::kBraking : Authority::kAtRest, Ending::kHold);
+}
+
+// Down as far as the governor lets it: somebody below it is kept away from. Only then it is left to its
+// firmware. One whose place is not known brakes, and is left to it where it stands.
+void Orders::land(const Tick& tick, std::size_t robot) noexcept {
+  const bool descends = config_.descent > 0.0F && tick.estimate.known[robot] != 0;
+  const bool is_down = !descends || tick.estimate.z[robot] <= config_.floor[robot];
+  set(robot, descends ? Authority::kGoverned : Authority::kBraking,
+      is_down ? Ending::kLand : Ending::kAsGoverned);
+  if (descends) {
+    wish_of(robot, 0.0F, 0.0F, -config_.descent);
+  }
+}
+
+void Orders::finish(const GovernedColumns& governed) const noexcept {
+  for (std::size_t robot = 0; robot < ending_.size(); ++robot) {
+    CommandKind& kind = governed.kind[robot];
+    const bool rests = governed.vx[robot] == 0.0F && governed.vy[robot] == 0.0F && governed.vz[robot] == 0.0F;
+    switch (ending_[robot]) {
+      case Ending::kAsGoverned:
+        break;
+      case Ending::kNone:
+        kind = CommandKind::kNone;
+        break;
+      case Ending::kHold:
+        kind =
+            rests || ours_[robot] == 0 || authority_[robot] == Authority::kAtRest ? CommandKind::kHold : kind;
+        break;
+      case Ending::kLand:
+        kind = rests ? CommandKind::kLand : kind;
+        break;
+      case Ending::kTakeOff:
+        kind = CommandKind::kTakeOff;
+        break;
+      case Ending::kStop:
+        kind = CommandKind::kStop;
+        break;
+    }
+  }
+}
+
+}  // namespace mayfly

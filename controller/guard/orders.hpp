@@ -1,0 +1,68 @@
+// What each robot is to do: the planner's wish, or what its state and its severity leave of it.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "controller/estimator/estimator.hpp"
+#include "controller/governor/governor_columns.hpp"
+#include "controller/guard/wish_desk.hpp"
+#include "controller/life_cycle/life_cycle.hpp"
+
+namespace mayfly {
+
+// How a robot's tick ends once it is governed.
+enum class Ending : std::uint8_t {
+  kAsGoverned,
+  kNone,     // nothing is sent: its motors are off
+  kHold,     // at rest
+  kLand,     // at rest, where it may go no lower
+  kTakeOff,  // its firmware's own way up
+  kStop,     // motors off, at once
+};
+
+class Orders {
+ public:
+  struct Config {
+    std::size_t robots = 0;
+    float descent = 0.0F;  // m/s; 0: they land where they are
+    std::vector<float>
+        floor;  // m, one a robot: below this height it has come down as far as it can be brought
+  };
+  struct Tick {
+    const WishDesk& wish;
+    LifeCycles& lives;
+    std::span<const Severity> severities;
+    std::span<const Symptoms> symptoms;
+    std::span<const std::uint8_t> present;  // empty: all are there
+    EstimateColumns estimate;
+  };
+
+  explicit Orders(Config config);
+
+  void give(const Tick& tick) noexcept;
+  // After governing: makes of what was governed what is sent.
+  void finish(const GovernedColumns& governed) const noexcept;
+
+  std::span<const Authority> authority() const noexcept { return authority_; }
+  DesiredColumns desired() const noexcept { return {vx_, vy_, vz_}; }
+  // 0: the robot is absent, or goes its firmware's way.
+  std::span<const std::uint8_t> ours() const noexcept { return ours_; }
+
+ private:
+  void order(const Tick& tick, std::size_t robot) noexcept;
+  void obey(const Tick& tick, std::size_t robot) noexcept;
+  void land(const Tick& tick, std::size_t robot) noexcept;
+  void set(std::size_t robot, Authority authority, Ending ending) noexcept;
+  void wish_of(std::size_t robot, float x, float y, float z) noexcept;
+
+  Config config_;
+  std::vector<Authority> authority_;
+  std::vector<Ending> ending_;
+  std::vector<float> vx_, vy_, vz_;
+  std::vector<std::uint8_t> ours_;
+};
+
+}  // namespace mayfly
