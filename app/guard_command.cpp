@@ -16,6 +16,7 @@
 #include "controller/flight/flight_guard.hpp"
 #include "controller/flight/flight_rights.hpp"
 #include "controller/flight/placement.hpp"
+#include "controller/flight/roster.hpp"
 #include "controller/link/guard_loop.hpp"
 #include "controller/link/process_watch.hpp"
 #include "controller/scenario/load.hpp"
@@ -106,24 +107,27 @@ bool wait_for_take_off(const link::GuardEnd& end, const link::ProcessWatch& plan
 
 Result<link::LinkReport> fly(const Loaded& loaded, link::GuardEnd& end, Hal& robots, Clock& clock,
                              const link::ProcessWatch& planner) {
-  link::CommandTap tap(robots);
-  if (auto configured = tap.configure(); !configured) {
+  if (auto configured = robots.configure(); !configured) {
     return fail(std::move(configured.error()));
   }
   Motion motion(loaded.scenario);
-  auto guard = Guard::create(guard_config(loaded.scenario, *loaded.world, motion, clock), tap);
+  auto guard = Guard::create(guard_config(loaded.scenario, *loaded.world, motion, clock), robots);
   if (!guard) {
     return fail(std::move(guard.error()));
   }
   const auto rate = static_cast<double>(loaded.scenario.control.rate);
   const StopSignals signals(StopSignals::Of::kGuard);
   const PlannerWatch watch(planner);
-  link::GuardLoop loop({**guard, tap, end, clock, watch.gone(), signals.stop()});
+  link::GuardLoop loop({**guard, end, clock, watch.gone(), signals.stop()});
   Executor executor(clock);
   Time began{0};
+  Roster roster(loaded.scenario);
+  (*guard)->set_present(roster.present());
   if (auto added = executor.add_task("guard", rate,
                                      [&](const TickInfo& info) noexcept {
-                                       motion.set_time(to_seconds(clock.now() - began));
+                                       const double flown_s = to_seconds(clock.now() - began);
+                                       motion.set_time(flown_s);
+                                       roster.set_time(flown_s);
                                        loop.tick(info);
                                      });
       !added) {
@@ -140,14 +144,15 @@ Result<link::LinkReport> fly(const Loaded& loaded, link::GuardEnd& end, Hal& rob
     return report;
   }
   began = clock.now();
-  if (auto activated = tap.activate(began); !activated) {
+  if (auto activated = robots.activate(began); !activated) {
     return fail(std::move(activated.error()));
   }
+  (*guard)->restart();
   end.set_phase(link::Phase::kActive);
   executor.set_realtime({rights->granted().priority, -1, true});
   const auto flown = executor.run(kNoEnd, loop.finished());
   end.set_phase(link::Phase::kEnding);
-  if (auto deactivated = tap.deactivate(clock.now()); !deactivated) {
+  if (auto deactivated = robots.deactivate(clock.now()); !deactivated) {
     return fail(std::move(deactivated.error()));
   }
   if (!flown) {

@@ -31,7 +31,7 @@ class GuardProcess {
   // down.
   ~GuardProcess();
 
-  Hal& hal() noexcept { return hal_; }
+  GuardPort& port() noexcept { return hal_; }
   // The user's request, or the end at once where the guard is lost.
   const StopRequest& stop() const noexcept { return hal_.stop(); }
   // What became of it; empty where it has ended well. After the flight; waits for it a little.

@@ -60,8 +60,6 @@ int exit_code_of(const Summary& summary, int signal_number) {
 
 // The robots, in this process or behind a guard's.
 struct OwnRobots {
-  Hal& hal() const { return guard ? guard->hal() : *simulated.hal; }
-
   simulate::Robots simulated;
   std::unique_ptr<GuardProcess> guard;
 };
@@ -103,15 +101,18 @@ int fly_and_tell(const RunOptions& options, const Scenario& scenario, const Prep
   announce(options, scenario, **engine, agents);
   auto summary = [&] {
     const FlightLine flight_line(line, gauge, scenario.duration, agents);
-    return fly({.scenario = scenario,
-                .world = ready.world,
-                .engine = **engine,
-                .hal = robots->hal(),
-                .truth = robots->simulated.truth.get(),
-                .clock = *clock,
-                .observers = outputs->observers(),
-                .stop = robots->guard ? &robots->guard->stop() : &signals.stop(),
-                .gauge = &gauge});
+    return fly({
+        .scenario = scenario,
+        .world = ready.world,
+        .engine = **engine,
+        .hal = robots->guard ? robots->guard->port() : *robots->simulated.hal,
+        .truth = robots->simulated.truth.get(),
+        .clock = *clock,
+        .observers = outputs->observers(),
+        .stop = robots->guard ? &robots->guard->stop() : &signals.stop(),
+        .gauge = &gauge,
+        .guard = robots->guard ? &robots->guard->port() : nullptr,
+    });
   }();
   const std::string guard_failed = robots->guard ? robots->guard->how_it_failed() : "";
   if (!summary) {

@@ -8,18 +8,21 @@
 
 namespace mayfly::link {
 
-// From flying to braking as soon as the end is wanted, to landing when everybody rests, to done when nobody
-// is in the air. Neither braking nor landing may take for ever: each has a longest time, after which the next
-// begins.
+// From flying to braking as soon as the end is wanted. Where the planner wants it, that is all once everybody
+// rests: its HAL's own way of letting go follows. Where the planner has died they hold a while, then land,
+// and are let go when nobody is in the air. None of it may take for ever: each stage has a longest time,
+// after which the next begins.
 class FlightEnd {
  public:
   enum class Stage : std::uint8_t { kFlying, kBraking, kLanding, kDone };
 
   static constexpr Time kMostBraking = std::chrono::seconds(5);
-  static constexpr Time kMostLanding = std::chrono::seconds(10);
+  static constexpr Time kHolding = std::chrono::seconds(1);  // counted from the start of braking
+  static constexpr Time kMostLanding = std::chrono::seconds(20);
 
   struct Seen {
     bool end_wanted = false;
+    bool planner_died = false;
     bool all_still = false;  // nobody is told to move, and nobody does
     bool airborne = false;   // anybody
   };
@@ -29,10 +32,12 @@ class FlightEnd {
     const Time in_stage = now - since_;
     switch (stage_) {
       case Stage::kFlying:
-        enter_if(seen.end_wanted, Stage::kBraking, now);
+        enter_if(seen.end_wanted || seen.planner_died, Stage::kBraking, now);
         break;
       case Stage::kBraking:
-        enter_if(seen.all_still || in_stage > kMostBraking, Stage::kLanding, now);
+        died_ = died_ || seen.planner_died;
+        enter_if((seen.all_still && (!died_ || in_stage >= kHolding)) || in_stage > kMostBraking,
+                 died_ ? Stage::kLanding : Stage::kDone, now);
         break;
       case Stage::kLanding:
         enter_if(!seen.airborne || in_stage > kMostLanding, Stage::kDone, now);
@@ -53,6 +58,7 @@ class FlightEnd {
   }
 
   Stage stage_ = Stage::kFlying;
+  bool died_ = false;
   Time since_{0};
 };
 

@@ -36,8 +36,6 @@ GuardEnd::GuardEnd(Segment segment, Word owner, Time most_age)
       vx_(segment_.robots()),
       vy_(segment_.robots()),
       vz_(segment_.robots()),
-      there_(segment_.robots(), 1),
-      taken_out_(segment_.robots(), 0),
       owner_(owner) {
   Cutter cutter(view_block_.data());
   view_ = view_columns(cutter, segment_.robots());
@@ -73,7 +71,6 @@ void GuardEnd::take_wish(Time now) noexcept {
   std::copy(wish.vx.begin(), wish.vx.end(), vx_.begin());
   std::copy(wish.vy.begin(), wish.vy.end(), vy_.begin());
   std::copy(wish.vz.begin(), wish.vz.end(), vz_.begin());
-  std::copy(wish.there.begin(), wish.there.end(), there_.begin());
 }
 
 void GuardEnd::take_operator() noexcept {
@@ -90,20 +87,20 @@ void GuardEnd::take_operator() noexcept {
   stop_ = static_cast<StopLevel>(
       std::min(request.head->stop, static_cast<std::uint32_t>(StopLevel::kEmergencyStop)));
   acknowledged_ = request.head->acknowledged;
-  std::copy(request.taken_out.begin(), request.taken_out.end(), taken_out_.begin());
 }
 
 // A wish of its own number: whoever has taken the last one need not look at its deadline again.
 void GuardEnd::planner_gone() noexcept {
-  static_cast<void>(own_wish(CommandKind::kNone, kPast));
-  deadline_ = kPast;
-}
-
-CommandColumns GuardEnd::own_wish(CommandKind kind, Time now) noexcept {
   planner_gone_ = true;
   ++sequence_;
+  deadline_ = kPast;
+  std::fill(kind_.begin(), kind_.end(), CommandKind::kNone);
+}
+
+CommandColumns GuardEnd::hold(Time now) noexcept {
+  planner_gone();
   deadline_ = now + most_age_;
-  std::fill(kind_.begin(), kind_.end(), kind);
+  std::fill(kind_.begin(), kind_.end(), CommandKind::kHold);
   for (std::vector<float>* column : {&vx_, &vy_, &vz_}) {
     std::fill(column->begin(), column->end(), 0.0F);
   }

@@ -24,17 +24,14 @@ class GuardEnd {
   CommandColumns wish(Time now) noexcept;
   // When the planner says that it wished so; never later than when it was seen.
   Time issued() const noexcept { return issued_; }
-  // 0 where the newest wish does not count this robot among those that fly.
-  std::span<const std::uint8_t> there() const noexcept { return there_; }
   // The planner's process has ended: its last wish is void, and nothing more is taken from it.
   void planner_gone() noexcept;
-  // In place of the planner's, now and from now on: the same of everybody.
-  CommandColumns own_wish(CommandKind kind, Time now) noexcept;
+  // In place of the planner's, now and from now on: that everybody holds.
+  CommandColumns hold(Time now) noexcept;
 
   // As of the last wish(): levels, none of which falls to nothing when the planner dies.
   StopLevel stop() const noexcept { return stop_; }
   std::uint32_t acknowledged() const noexcept { return acknowledged_; }
-  std::span<const std::uint8_t> taken_out() const noexcept { return taken_out_; }
 
   Want want() const noexcept;
   // Changes as long as the planner lives; its value means nothing.
@@ -63,7 +60,6 @@ class GuardEnd {
   ViewColumns view_;
   std::vector<CommandKind> kind_;
   std::vector<float> vx_, vy_, vz_;
-  std::vector<std::uint8_t> there_, taken_out_;
   Word owner_;
   Word sequence_ = 0;
   Time issued_{0};

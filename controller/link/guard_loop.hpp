@@ -9,7 +9,6 @@
 #include "controller/executor/executor.hpp"
 #include "controller/flight/fault_log.hpp"
 #include "controller/guard/guard.hpp"
-#include "controller/link/command_tap.hpp"
 #include "controller/link/flight_end.hpp"
 #include "controller/link/guard_end.hpp"
 #include "core/clock.hpp"
@@ -38,7 +37,6 @@ struct LinkReport {
 
 struct GuardParts {
   Guard& guard;
-  CommandTap& robots;  // what the guard writes to; configured
   GuardEnd& end;
   Clock& clock;
   // Set by whoever watches the planner's process, from any thread.
@@ -63,22 +61,26 @@ class GuardLoop {
 
   CommandColumns next_wish(Time now) noexcept;
   void heed_operator() noexcept;
+  void land() noexcept;
   void note(FaultLog::Source& source, Time now, const HalResult& result) noexcept;
-  void show(Time now, const HalResult& result) noexcept;
+  void tell_reactions() noexcept;
   void account(const TickInfo& info, Time now) noexcept;
+  bool all_told_to_stand() const noexcept;
   FlightEnd::Seen seen() const noexcept;
+  void show(Time now) noexcept;
 
   GuardParts parts_;
   FlightEnd end_;
   FaultLog::Source sense_source_, act_source_;
   LinkReport report_;
-  Stop stop_;  // that may begin at any tick
-  Time worst_wake_{0};
-  Time skipped_since_{0};
-  std::uint64_t taken_before_ = 0;
+  std::size_t reactions_told_ = 0;
   std::uint32_t acknowledged_ = 0;
-  bool stop_is_told_ = true;
   Time wish_until_{0};
+  // Of the stop that may begin at any tick, from the last wish on.
+  Stop stop_;
+  bool stop_is_told_ = true;
+  Time worst_wake_{0}, skipped_since_{0};
+  std::uint64_t taken_before_ = 0;
   std::atomic<bool> finished_{false};
 };
 

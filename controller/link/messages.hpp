@@ -7,6 +7,7 @@
 #include <span>
 #include <type_traits>
 
+#include "controller/guard/guard_report.hpp"
 #include "controller/link/shared_ring.hpp"
 #include "core/clock.hpp"
 #include "core/hal.hpp"
@@ -43,9 +44,8 @@ struct WishHead {
 };
 struct WishColumns {
   WishHead* head = nullptr;
-  std::span<std::uint8_t> kind;   // CommandKind
-  std::span<std::uint8_t> there;  // 0: the agent has not joined yet, or has left
-  std::span<float> vx, vy, vz;    // m/s
+  std::span<std::uint8_t> kind;  // CommandKind
+  std::span<float> vx, vy, vz;   // m/s
 };
 
 // Down, as levels: what holds now, not what happened. A channel that dies cannot lose them, and what is
@@ -57,7 +57,6 @@ struct OperatorHead {
 };
 struct OperatorColumns {
   OperatorHead* head = nullptr;
-  std::span<std::uint8_t> taken_out;  // 1: this robot is to be left out
 };
 enum class StopLevel : std::uint32_t { kNone, kHold, kEmergencyStop };
 
@@ -65,24 +64,22 @@ enum class StopLevel : std::uint32_t { kNone, kHold, kEmergencyStop };
 struct ViewHead {
   Time::rep time_ns = 0;
   Word tick = 0;
-  Word wish = 0;              // sequence of the newest wish that was taken
-  std::uint64_t taken = 0;    // wishes
-  std::uint64_t refused = 0;  // wishes, and commands of one robot within a wish, that made no sense
-  std::uint64_t reads = 0;    // the HAL's counters
-  std::uint64_t writes = 0;
-  std::uint64_t refused_calls = 0;
-  std::uint64_t refused_commands = 0;
-  std::uint64_t interventions = 0;  // agent-ticks in which the governor changed a command
-  std::uint32_t everybody = 0;      // Symptoms of everybody
-  std::uint32_t worst = 0;          // Severity
-  std::uint32_t hal_fault = 0;      // HalFault of the tick's read or write
+  Word wish = 0;                // sequence of the newest wish that was taken
+  std::uint64_t taken = 0;      // wishes
+  std::uint64_t refused = 0;    // wishes, and commands of one robot within a wish, that made no sense
+  std::uint64_t reactions = 0;  // that have begun so far
+  // The last time that the wish ran out and everybody was brought to stand still: when the planner issued the
+  // last wish before, when the last robot was told to hold or velocity 0, and how late the machine woke the
+  // guard in between. All 0 before the first.
+  Time::rep wished_ns = 0, still_ns = 0, late_ns = 0;
 };
 struct ViewColumns {
   ViewHead* head = nullptr;
+  GuardReport* report = nullptr;
   std::span<float> x, y, z, vx, vy, vz;  // the estimate; m, m/s
   std::span<Time::rep> stamp_ns;
-  std::span<std::uint8_t> known;
-  std::span<std::uint32_t> symptoms;
+  std::span<std::uint8_t> fresh;  // 1: the estimate rests on a sample of this tick
+  std::span<Symptoms> symptoms;
   std::span<std::uint8_t> state;               // RobotState
   std::span<std::uint8_t> severity;            // Severity
   std::span<std::uint8_t> kind;                // of the command as it was sent
@@ -96,7 +93,9 @@ struct ViewColumns {
 struct Event {
   Time::rep time_ns = 0;
   std::uint32_t robot = 0;  // kEveryRobot for all
-  std::uint32_t fault = 0;  // HalFault
+  std::uint32_t fault = 0;  // HalFault; kNone: it is a reaction
+  std::uint32_t symptom = 0;
+  std::uint32_t severity = 0;
   std::array<char, 24> link{};
   std::array<char, 72> cause{};
 };
@@ -105,31 +104,28 @@ inline WishColumns wish_columns(Cutter& cutter, std::size_t robots) {
   WishColumns c;
   c.head = cutter.cut<WishHead>(1).data();
   c.kind = cutter.cut<std::uint8_t>(robots);
-  c.there = cutter.cut<std::uint8_t>(robots);
   for (std::span<float>* column : {&c.vx, &c.vy, &c.vz}) {
     *column = cutter.cut<float>(robots);
   }
   return c;
 }
 
-inline OperatorColumns operator_columns(Cutter& cutter, std::size_t robots) {
-  OperatorColumns c;
-  c.head = cutter.cut<OperatorHead>(1).data();
-  c.taken_out = cutter.cut<std::uint8_t>(robots);
-  return c;
+inline OperatorColumns operator_columns(Cutter& cutter, std::size_t) {
+  return {cutter.cut<OperatorHead>(1).data()};
 }
 
 inline ViewColumns view_columns(Cutter& cutter, std::size_t robots) {
   ViewColumns c;
   c.head = cutter.cut<ViewHead>(1).data();
+  c.report = cutter.cut<GuardReport>(1).data();
   for (std::span<float>* column : {&c.x, &c.y, &c.z, &c.vx, &c.vy, &c.vz, &c.sent_vx, &c.sent_vy, &c.sent_vz,
                                    &c.battery, &c.link_quality}) {
     *column = cutter.cut<float>(robots);
   }
   c.stamp_ns = cutter.cut<Time::rep>(robots);
   c.heard_ns = cutter.cut<Time::rep>(robots);
-  c.symptoms = cutter.cut<std::uint32_t>(robots);
-  for (std::span<std::uint8_t>* column : {&c.known, &c.state, &c.severity, &c.kind, &c.airborne}) {
+  c.symptoms = cutter.cut<Symptoms>(robots);
+  for (std::span<std::uint8_t>* column : {&c.fresh, &c.state, &c.severity, &c.kind, &c.airborne}) {
     *column = cutter.cut<std::uint8_t>(robots);
   }
   return c;

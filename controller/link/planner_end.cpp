@@ -56,14 +56,6 @@ void PlannerEnd::acknowledge() noexcept {
   send_request();
 }
 
-void PlannerEnd::take_out(RobotIndex robot, bool out) noexcept {
-  const std::uint8_t level = out ? 1 : 0;
-  if (robot < operator_.taken_out.size() && operator_.taken_out[robot] != level) {
-    operator_.taken_out[robot] = level;
-    send_request();
-  }
-}
-
 void PlannerEnd::send_request() noexcept {
   operators_.publish(operator_block_);
 }

@@ -26,7 +26,6 @@ class PlannerEnd {
   // Levels and counts stay until they are asked for otherwise. Nothing crosses where nothing has changed.
   void request_stop(StopLevel level) noexcept;
   void acknowledge() noexcept;
-  void take_out(RobotIndex robot, bool out) noexcept;
   void want(Want want) noexcept;
 
   // True where view() is newer than at the last call.

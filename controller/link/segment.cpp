@@ -80,7 +80,8 @@ Layout layout_of(const Roster& roster) {
   for (const Word word :
        {kVersion, Word{sizeof(Header)}, Word{roster.count}, roster.names, Word{layout.wish.bytes},
         Word{layout.operators.bytes}, Word{layout.view.bytes}, Word{layout.events.bytes}, Word{kNewestSlots},
-        Word{kEventSlots}, Word{sizeof(WishHead)}, Word{sizeof(OperatorHead)}, Word{sizeof(ViewHead)}}) {
+        Word{kEventSlots}, Word{sizeof(WishHead)}, Word{sizeof(OperatorHead)}, Word{sizeof(ViewHead)},
+        Word{sizeof(GuardReport)}}) {
     hash.add(word);
   }
   layout.hash = hash.value();

@@ -23,10 +23,12 @@ constexpr std::string_view kTooMany = "more kinds of faults than are told apart"
 ShmHal::ShmHal(ShmHalConfig config, PlannerEnd end, const ProcessWatch& guard)
     : config_(std::move(config)), end_(std::move(end)), guard_(guard) {
   texts_.reserve(kMostTexts);
+  events_.reserve(kMostEvents);
+  sent_kind_.assign(config_.robots.size(), CommandKind::kHold);
 }
 
 // Set-up calls may block, the loop's may not: see core/hal.hpp.
-Result<void> ShmHal::wait_for(Phase phase, Time most) {
+Result<void> ShmHal::wait_for(Phase phase, Time now, Time most) {
   for (Time waited{0}; end_.phase() < phase; waited += kLook) {
     const bool stopped = config_.asked_to_stop != nullptr && config_.asked_to_stop->load() > 0;
     if (stopped && phase < Phase::kEnding) {
@@ -41,9 +43,16 @@ Result<void> ShmHal::wait_for(Phase phase, Time most) {
       return fail(Cause::kDevice,
                   "the guard takes longer than " + std::to_string(static_cast<int>(to_seconds(most))) + " s");
     }
-    end_.beat();
+    send_hold(now);
   }
   return {};
+}
+
+// So that a guard that begins to fly before its planner has decided anything has something to go by. It lives
+// no longer than the guard lets it.
+void ShmHal::send_hold(Time now) noexcept {
+  std::fill(end_.wish().kind.begin(), end_.wish().kind.end(), static_cast<std::uint8_t>(CommandKind::kHold));
+  end_.send_wish(now, now + kMostStart);
 }
 
 Result<void> ShmHal::do_configure() {
@@ -51,12 +60,13 @@ Result<void> ShmHal::do_configure() {
     return fail(Cause::kCaller, "the segment was made for " + std::to_string(end_.segment().robots()) +
                                     " robots, not for " + std::to_string(config_.robots.size()));
   }
-  return wait_for(Phase::kReady, kMostStart);
+  return wait_for(Phase::kReady, Time(0), kMostStart);
 }
 
 Result<void> ShmHal::do_activate(Time now) {
+  send_hold(now);
   end_.want(Want::kFly);
-  if (auto flies = wait_for(Phase::kActive, kMostStart); !flies) {
+  if (auto flies = wait_for(Phase::kActive, now, kMostStart); !flies) {
     return flies;
   }
   seen_ = now;
@@ -65,7 +75,6 @@ Result<void> ShmHal::do_activate(Time now) {
 
 HalResult ShmHal::do_read(Time now, const StateColumns& states) noexcept {
   const int asked = config_.asked_to_stop == nullptr ? 0 : config_.asked_to_stop->load();
-  end_.request_stop(static_cast<StopLevel>(std::clamp(asked, 0, 2)));
   stop_.store(lost() ? std::max(asked, 2) : asked, std::memory_order_relaxed);
   end_.beat();
   if (end_.collect()) {
@@ -74,24 +83,53 @@ HalResult ShmHal::do_read(Time now, const StateColumns& states) noexcept {
   } else {
     std::fill(states.valid.begin(), states.valid.end(), std::uint8_t{0});
   }
+  const HalResult happened = hear_events();
   const HalResult down = link_state(now);
-  if (!down.ok()) {
-    return down;
-  }
-  const auto event = end_.next_event();
-  return event ? told(*event) : HalResult{};
+  return down.ok() ? happened : down;
 }
 
-void ShmHal::copy_view(const StateColumns& states) const noexcept {
+// All that has come: reactions are kept, and the first of the HAL's results is told now, the others with the
+// next reads.
+HalResult ShmHal::hear_events() noexcept {
+  while (const auto event = end_.next_event()) {
+    if (event->fault != static_cast<std::uint32_t>(HalFault::kNone)) {
+      return told(*event);
+    }
+    if (events_.size() < kMostEvents && event->symptom < kSymptoms && event->severity < kSeverities) {
+      events_.push_back({Time(event->time_ns), event->robot, static_cast<Symptom>(event->symptom),
+                         static_cast<Severity>(event->severity)});
+    }
+  }
+  return {};
+}
+
+void ShmHal::ask_to_stop(int level) noexcept {
+  end_.request_stop(static_cast<StopLevel>(std::clamp(level, 0, 2)));
+}
+
+Severity ShmHal::severity() const noexcept {
+  std::uint8_t worst = 0;
+  for (const std::uint8_t one : end_.view().severity) {
+    worst = std::max(worst, one);
+  }
+  return static_cast<Severity>(std::min<std::uint8_t>(worst, kSeverities - 1));
+}
+
+CommandColumns ShmHal::written() const noexcept {
+  const ViewColumns& view = end_.view();
+  return {sent_kind_, view.sent_vx, view.sent_vy, view.sent_vz, Time(view.head->time_ns), view.head->tick};
+}
+
+void ShmHal::copy_view(const StateColumns& states) noexcept {
   const ViewColumns& view = end_.view();
   const std::array<std::pair<std::span<const float>, std::span<float>>, 6> columns{
       std::pair{view.x, states.x},   std::pair{view.y, states.y},   std::pair{view.z, states.z},
       std::pair{view.vx, states.vx}, std::pair{view.vy, states.vy}, std::pair{view.vz, states.vz}};
   for (std::size_t robot = 0; robot < states.valid.size(); ++robot) {
-    states.valid[robot] = view.known[robot] != 0 ? 1 : 0;
-    if (view.known[robot] == 0) {
-      continue;
-    }
+    sent_kind_[robot] = view.kind[robot] > static_cast<std::uint8_t>(CommandKind::kStop)
+                            ? CommandKind::kNone
+                            : static_cast<CommandKind>(view.kind[robot]);
+    states.valid[robot] = view.fresh[robot] != 0 ? 1 : 0;
     for (const auto& [from, to] : columns) {
       to[robot] = from[robot];
     }
@@ -134,7 +172,6 @@ HalResult ShmHal::do_write(Time now, const CommandColumns& commands) noexcept {
   WishColumns& wish = end_.wish();
   for (std::size_t robot = 0; robot < wish.kind.size(); ++robot) {
     wish.kind[robot] = static_cast<std::uint8_t>(commands.kind[robot]);
-    wish.there[robot] = commands.kind[robot] == CommandKind::kNone ? 0 : 1;
   }
   std::copy(commands.vx.begin(), commands.vx.end(), wish.vx.begin());
   std::copy(commands.vy.begin(), commands.vy.end(), wish.vy.begin());
@@ -144,14 +181,16 @@ HalResult ShmHal::do_write(Time now, const CommandColumns& commands) noexcept {
 }
 
 // A guard that is lost cannot be asked to let go, and nothing is left to do from here: lost() tells.
-Result<void> ShmHal::do_deactivate(Time) {
+Result<void> ShmHal::do_deactivate(Time now) {
   end_.want(Want::kEnd);
-  if (auto ended = wait_for(Phase::kEnded, kMostEnd); !ended && !lost()) {
+  if (auto ended = wait_for(Phase::kEnded, now, kMostEnd); !ended && !lost()) {
     if (!guard_.has_ended()) {
       return ended;
     }
     guard_ended();
   }
+  static_cast<void>(end_.collect());
+  static_cast<void>(hear_events());
   return {};
 }
 

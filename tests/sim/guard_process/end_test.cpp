@@ -49,6 +49,19 @@ TEST(End, InterruptedTwiceTheGuardStopsAllAtOnceAndStillEndsWell) {
   ASSERT_FALSE(flight.guard_report().is_discarded());
 }
 
+TEST(End, AGuardWithoutAPlannerLandsItsRobotsAndEnds) {
+  TwoProcesses flight;
+  ASSERT_TRUE(flight.fly() && flight.wait_for_beats(40));
+  flight.send_planner(SIGKILL);
+  const Outcome ended = flight.wait();
+  EXPECT_EQ(ended.exit_code, 128 + SIGKILL);
+  EXPECT_THAT(ended.error, HasSubstr("the planner has ended without a word"));
+  const nlohmann::json report = flight.guard_report();
+  ASSERT_FALSE(report.is_discarded());
+  EXPECT_TRUE(report["planner_died"].get<bool>());
+  EXPECT_EQ(report["stops"].size(), 1U);
+}
+
 // What kills a planner at once does not kill a guard: nor does the terminal's end.
 TEST(End, TheGuardOutlivesThreeInterruptsAndAClosedTerminal) {
   TwoProcesses flight;

@@ -23,7 +23,7 @@ world: {bounds: {min: [0, 0, 0], max: [30, 30, 12]}, cell: 1.0, goals: {far: {bo
 swarms:
   - name: flies
     count: 12
-    start: {box: {min: [4, 4, 2], max: [16, 16, 10]}}
+    start: {box: {min: [4, 4, 0.5], max: [16, 16, 2]}}
     goal: far
     noise: {kind: curl, scale: 2.0, gain: 0.3}
     cruise_speed: 0.3
@@ -32,6 +32,14 @@ swarms:
 control: {rate: 200}
 hal: {sim: {kind: sim}}
 )";
+
+// A process that has ended and was not waited for still has a number.
+bool lives(pid_t process) {
+  std::ifstream stat("/proc/" + std::to_string(process) + "/stat");
+  std::string number, name, state;
+  stat >> number >> name >> state;
+  return stat && state != "Z";
+}
 
 std::vector<std::string> words(const TemporaryFolder& folder, const std::vector<std::string>& arguments) {
   std::vector<std::string> all{"run",
@@ -88,11 +96,11 @@ bool TwoProcesses::fly() {
 
 bool TwoProcesses::wait_for_beats(std::uint64_t beats) {
   const auto active = static_cast<link::Word>(link::Phase::kActive);
-  while (header().phase.load() < active && planner_lives()) {
+  while (header().phase.load() < active && lives(planner())) {
     std::this_thread::yield();
   }
   const link::Word wanted = header().planner_beat.load() + beats;
-  while (header().planner_beat.load() < wanted && planner_lives()) {
+  while (header().planner_beat.load() < wanted && lives(planner())) {
     std::this_thread::yield();
   }
   return header().phase.load() == active;
@@ -113,12 +121,20 @@ void TwoProcesses::send_guard(int signal) const {
   ::kill(guard(), signal);
 }
 
-// A process that has ended and was not waited for still has a number.
-bool TwoProcesses::planner_lives() const {
-  std::ifstream stat("/proc/" + std::to_string(planner()) + "/stat");
-  std::string number, name, state;
-  stat >> number >> name >> state;
-  return stat && state != "Z";
+std::optional<TwoProcesses::Stopped> TwoProcesses::wait_for_stop() {
+  link::RingReader views(segment_->view(), segment_->layout().view);
+  while (lives(guard())) {
+    if (!views.collect()) {
+      std::this_thread::yield();
+      continue;
+    }
+    link::Cutter cutter(views.latest().data());
+    const link::ViewHead& head = *link::view_columns(cutter, kAgents).head;
+    if (head.still_ns != 0) {
+      return Stopped{segment_->epoch() + Time(head.still_ns), Time(head.late_ns)};
+    }
+  }
+  return std::nullopt;
 }
 
 nlohmann::json TwoProcesses::json(const std::string& file) const {

@@ -30,6 +30,12 @@ class TwoProcesses {
   bool fly();
   // Waits until the planner's heart has beaten so often since.
   bool wait_for_beats(std::uint64_t beats);
+  // Waits until the guard has brought everybody to stand still because the wish ran out: when, and how late
+  // the machine was meanwhile, on CLOCK_MONOTONIC. Empty where the guard ends before.
+  struct Stopped {
+    Time still{0}, late{0};
+  };
+  std::optional<Stopped> wait_for_stop();
   link::Header& header() const { return segment_->header(); }
   // A copy of the guard's descriptor of the segment.
   int segment_descriptor() const;
@@ -46,7 +52,6 @@ class TwoProcesses {
   nlohmann::json summary() const { return json("summary.json"); }
 
  private:
-  bool planner_lives() const;
   nlohmann::json json(const std::string& file) const;
 
   TemporaryFolder folder_;

@@ -24,15 +24,12 @@ TEST(Wish, ArrivesAsItWasSent) {
   Pair link(3);
   link.planner.wish().kind[1] = static_cast<std::uint8_t>(CommandKind::kLand);
   link.planner.wish().vz[2] = -0.25F;
-  link.planner.wish().there[2] = 1;
   link.planner.send_wish(kNow, kLater);
   const CommandColumns wish = link.guard.wish(kNow);
   EXPECT_EQ(wish.kind[1], CommandKind::kLand);
   EXPECT_EQ(wish.vz[2], -0.25F);
   EXPECT_EQ(wish.deadline, kLater);
   EXPECT_EQ(wish.sequence, 1U);
-  EXPECT_EQ(link.guard.there()[1], 0);
-  EXPECT_EQ(link.guard.there()[2], 1);
   EXPECT_EQ(link.guard.issued(), kNow);
 }
 
@@ -73,6 +70,21 @@ TEST(Wish, IsVoidOnceThePlannerIsGone) {
   EXPECT_EQ(wish.kind[0], CommandKind::kNone);
   EXPECT_LT(wish.deadline, Time(0));
   EXPECT_EQ(link.guard.taken(), 1U);
+  EXPECT_EQ(wish.sequence, 2U) << "whoever took the last by its number takes this one, too";
+}
+
+TEST(Wish, OfTheGuardsOwnIsToHoldAndTakesThePlannersPlace) {
+  Pair link(2);
+  link.wish_velocity(1.0F, kNow, kLater);
+  static_cast<void>(link.guard.wish(kNow));
+  const CommandColumns hold = link.guard.hold(kLater);
+  EXPECT_EQ(hold.kind[1], CommandKind::kHold);
+  EXPECT_EQ(hold.vx[1], 0.0F);
+  EXPECT_EQ(hold.deadline, kLater + Pair::kMostAge);
+  EXPECT_EQ(hold.sequence, 2U);
+  link.wish_velocity(1.0F, kLater, kLater);
+  EXPECT_EQ(link.guard.wish(kLater).kind[1], CommandKind::kHold);
+  EXPECT_EQ(link.guard.hold(kLater).sequence, 3U);
 }
 
 TEST(Wish, AKindThatThereIsNotIsNone) {
@@ -97,13 +109,9 @@ TEST(Requests, AreLevels) {
   EXPECT_EQ(link.guard.stop(), StopLevel::kNone);
   link.planner.request_stop(StopLevel::kHold);
   link.planner.request_stop(StopLevel::kEmergencyStop);
-  link.planner.take_out(2, true);
-  link.planner.take_out(99, true);  // there is no such robot
   for (int tick = 0; tick < 3; ++tick) {
     static_cast<void>(link.guard.wish(kNow));
     EXPECT_EQ(link.guard.stop(), StopLevel::kEmergencyStop);
-    EXPECT_EQ(link.guard.taken_out()[2], 1);
-    EXPECT_EQ(link.guard.taken_out()[0], 0);
   }
   link.guard.planner_gone();
   static_cast<void>(link.guard.wish(kNow));
@@ -138,7 +146,8 @@ TEST(View, ArrivesAsItWasShown) {
 
 TEST(View, EventsComeUp) {
   Pair link(2);
-  Event event{kNow.count(), 1, static_cast<std::uint32_t>(HalFault::kRobotSilent)};
+  Event event{
+      .time_ns = kNow.count(), .robot = 1, .fault = static_cast<std::uint32_t>(HalFault::kRobotSilent)};
   event.cause.fill('x');  // no end: one is put there
   link.guard.tell(event);
   const auto told = link.planner.next_event();

@@ -38,7 +38,6 @@ struct Pair {
   void wish_velocity(float vx, Time now, Time deadline) {
     std::fill(planner.wish().kind.begin(), planner.wish().kind.end(),
               static_cast<std::uint8_t>(CommandKind::kVelocity));
-    std::fill(planner.wish().there.begin(), planner.wish().there.end(), std::uint8_t{1});
     std::fill(planner.wish().vx.begin(), planner.wish().vx.end(), vx);
     planner.send_wish(now, deadline);
   }
