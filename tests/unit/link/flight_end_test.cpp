@@ -8,9 +8,11 @@ namespace {
 using Stage = FlightEnd::Stage;
 constexpr Time kStep{10'000'000};
 constexpr FlightEnd::Seen kFlies{.airborne = true};
-constexpr FlightEnd::Seen kMoves{.end_wanted = true, .airborne = true};
-constexpr FlightEnd::Seen kRests{.end_wanted = true, .all_still = true, .airborne = true};
-constexpr FlightEnd::Seen kIsDown{.end_wanted = true, .all_still = true, .airborne = false};
+constexpr FlightEnd::Seen kEnds{.end_wanted = true, .airborne = true};
+constexpr FlightEnd::Seen kEndsAtRest{.end_wanted = true, .all_still = true, .airborne = true};
+constexpr FlightEnd::Seen kDies{.planner_died = true, .airborne = true};
+constexpr FlightEnd::Seen kRests{.planner_died = true, .all_still = true, .airborne = true};
+constexpr FlightEnd::Seen kIsDown{.planner_died = true, .all_still = true, .airborne = false};
 
 TEST(FlightEnd, NothingEndsThatNobodyWantsToEnd) {
   FlightEnd end;
@@ -20,37 +22,46 @@ TEST(FlightEnd, NothingEndsThatNobodyWantsToEnd) {
   }
 }
 
-TEST(FlightEnd, BrakesThenLandsThenIsDone) {
+TEST(FlightEnd, OneThatIsWantedIsDoneAtRest) {
   FlightEnd end;
-  EXPECT_EQ(end.update(kStep, kMoves), Stage::kBraking);
-  EXPECT_EQ(end.update(2 * kStep, kMoves), Stage::kBraking);
-  EXPECT_EQ(end.update(3 * kStep, kRests), Stage::kLanding);
-  EXPECT_EQ(end.update(4 * kStep, kRests), Stage::kLanding);
-  EXPECT_EQ(end.update(5 * kStep, kIsDown), Stage::kDone);
-  EXPECT_EQ(end.update(6 * kStep, kFlies), Stage::kDone);
+  EXPECT_EQ(end.update(kStep, kEnds), Stage::kBraking);
+  EXPECT_EQ(end.update(2 * kStep, kEnds), Stage::kBraking);
+  EXPECT_EQ(end.update(3 * kStep, kEndsAtRest), Stage::kDone);
+  EXPECT_EQ(end.update(4 * kStep, kFlies), Stage::kDone);
 }
 
-TEST(FlightEnd, EachStageIsThereForATickAtLeast) {
+TEST(FlightEnd, WhereThePlannerDiesTheyHoldThenLandThenAreLetGo) {
   FlightEnd end;
-  EXPECT_EQ(end.update(kStep, kIsDown), Stage::kBraking);
-  EXPECT_EQ(end.update(2 * kStep, kIsDown), Stage::kLanding);
-  EXPECT_EQ(end.update(3 * kStep, kIsDown), Stage::kDone);
+  EXPECT_EQ(end.update(kStep, kDies), Stage::kBraking);
+  const Time held = kStep + FlightEnd::kHolding;
+  EXPECT_EQ(end.update(held - Time(1), kRests), Stage::kBraking);
+  EXPECT_EQ(end.update(held, kDies), Stage::kBraking);
+  EXPECT_EQ(end.update(held, kRests), Stage::kLanding);
+  EXPECT_EQ(end.update(held + kStep, kRests), Stage::kLanding);
+  EXPECT_EQ(end.update(held + 2 * kStep, kIsDown), Stage::kDone);
+}
+
+TEST(FlightEnd, WhereItDiesWhileTheyBrakeForItTheyLandAsWell) {
+  FlightEnd end;
+  EXPECT_EQ(end.update(kStep, kEnds), Stage::kBraking);
+  EXPECT_EQ(end.update(2 * kStep, kDies), Stage::kBraking);
+  EXPECT_EQ(end.update(kStep + FlightEnd::kHolding, kRests), Stage::kLanding);
 }
 
 TEST(FlightEnd, IsNotCalledOffByAPlannerThatChangesItsMind) {
   FlightEnd end;
-  EXPECT_EQ(end.update(kStep, kMoves), Stage::kBraking);
+  EXPECT_EQ(end.update(kStep, kEnds), Stage::kBraking);
   EXPECT_EQ(end.update(2 * kStep, kFlies), Stage::kBraking);
 }
 
 TEST(FlightEnd, NeitherBrakingNorLandingTakesForEver) {
   FlightEnd end;
-  EXPECT_EQ(end.update(kStep, kMoves), Stage::kBraking);
-  EXPECT_EQ(end.update(kStep + FlightEnd::kMostBraking, kMoves), Stage::kBraking);
+  EXPECT_EQ(end.update(kStep, kDies), Stage::kBraking);
+  EXPECT_EQ(end.update(kStep + FlightEnd::kMostBraking, kDies), Stage::kBraking);
   const Time landing = kStep + FlightEnd::kMostBraking + Time(1);
-  EXPECT_EQ(end.update(landing, kMoves), Stage::kLanding);
-  EXPECT_EQ(end.update(landing + FlightEnd::kMostLanding, kMoves), Stage::kLanding);
-  EXPECT_EQ(end.update(landing + FlightEnd::kMostLanding + Time(1), kMoves), Stage::kDone);
+  EXPECT_EQ(end.update(landing, kDies), Stage::kLanding);
+  EXPECT_EQ(end.update(landing + FlightEnd::kMostLanding, kDies), Stage::kLanding);
+  EXPECT_EQ(end.update(landing + FlightEnd::kMostLanding + Time(1), kDies), Stage::kDone);
 }
 
 }  // namespace
