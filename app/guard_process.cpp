@@ -59,6 +59,7 @@ class Inherited {
 
 Result<pid_t> spawn(std::vector<std::string> words) {
   std::vector<char*> arguments;
+  arguments.reserve(words.size() + 1);
   for (std::string& word : words) {
     arguments.push_back(word.data());
   }

@@ -34,6 +34,8 @@ void GuardLoop::tick(const TickInfo& info) noexcept {
     report_.planner_gone = now;
     report_.planner_died = parts_.end.want() != Want::kEnd;
     parts_.end.planner_gone();
+    // Also where everybody stands already, because of a wish that ran out before.
+    stop_is_told_ = false;
   }
   note(sense_source_, now, parts_.guard.sense(now));
   const CommandColumns wish = next_wish(now);

@@ -37,7 +37,7 @@ struct Stopped {
 
 // What the guard does after that (land) takes longer than there is time for in so many trials.
 Stopped outcome(Trial& trial) {
-  const auto stop = trial.flight->wait_for_stop();
+  const auto stop = trial.flight->wait_for_stop(trial.killed);
   trial.flight->send_guard(SIGKILL);
   EXPECT_EQ(trial.flight->wait().exit_code, 128 + SIGKILL);
   if (!stop) {

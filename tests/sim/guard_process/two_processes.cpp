@@ -57,7 +57,7 @@ std::vector<std::string> words(const TemporaryFolder& folder, const std::vector<
 }  // namespace
 
 std::string write_restless_scenario(const TemporaryFolder& folder) {
-  std::ofstream(folder.file("mayfly.project"));
+  std::ofstream(folder.file("mayfly.project")) << "";
   std::ofstream(folder.file("restless.yaml")) << kRestless;
   return folder.file("restless.yaml");
 }
@@ -121,7 +121,7 @@ void TwoProcesses::send_guard(int signal) const {
   ::kill(guard(), signal);
 }
 
-std::optional<TwoProcesses::Stopped> TwoProcesses::wait_for_stop() {
+std::optional<TwoProcesses::Stopped> TwoProcesses::wait_for_stop(Time after) {
   link::RingReader views(segment_->view(), segment_->layout().view);
   while (lives(guard())) {
     if (!views.collect()) {
@@ -130,8 +130,9 @@ std::optional<TwoProcesses::Stopped> TwoProcesses::wait_for_stop() {
     }
     link::Cutter cutter(views.latest().data());
     const link::ViewHead& head = *link::view_columns(cutter, kAgents).head;
-    if (head.still_ns != 0) {
-      return Stopped{segment_->epoch() + Time(head.still_ns), Time(head.late_ns)};
+    const Time still = segment_->epoch() + Time(head.still_ns);
+    if (still > after) {
+      return Stopped{still, Time(head.late_ns)};
     }
   }
   return std::nullopt;

@@ -30,12 +30,12 @@ class TwoProcesses {
   bool fly();
   // Waits until the planner's heart has beaten so often since.
   bool wait_for_beats(std::uint64_t beats);
-  // Waits until the guard has brought everybody to stand still because the wish ran out: when, and how late
-  // the machine was meanwhile, on CLOCK_MONOTONIC. Empty where the guard ends before.
+  // Waits until the guard has brought everybody to stand still because the wish ran out, later than `after`:
+  // when, on CLOCK_MONOTONIC, and how late the machine was meanwhile. Empty where the guard ends before.
   struct Stopped {
     Time still{0}, late{0};
   };
-  std::optional<Stopped> wait_for_stop();
+  std::optional<Stopped> wait_for_stop(Time after);
   link::Header& header() const { return segment_->header(); }
   // A copy of the guard's descriptor of the segment.
   int segment_descriptor() const;
