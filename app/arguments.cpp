@@ -8,6 +8,7 @@
 #include <map>
 
 #include "app/exit_code.hpp"
+#include "controller/scenario/numbers.hpp"
 #include "controller/scenario/suggest.hpp"
 
 namespace mayfly::app {
@@ -15,7 +16,7 @@ namespace {
 
 // What the text on the command line is before it means something.
 struct Raw {
-  std::string seed, duration;
+  std::string seed, duration, seeds;
   std::vector<std::string> sets;
 };
 
@@ -112,6 +113,23 @@ void add_check(CLI::App& app, CheckOptions& options, Raw& raw) {
   check.footer(std::string("\nExample:\n  mayfly check config/scenarios/*.yaml\n") + kExitCodes);
 }
 
+void add_test(CLI::App& app, TestOptions& options, Raw& raw) {
+  CLI::App& test = *app.add_subcommand(
+      "test", "Fly scenarios on a virtual clock and hold them to their `expect` lines, one line each");
+  test.add_option("SCENARIO", options.scenarios, "Scenario files (YAML)")->required();
+  test.add_option("--seeds", raw.seeds, "Fly each with every seed from A to B, both included")
+      ->type_name("A..B");
+  test.add_option("--junit", options.junit, "Write what came of it for a CI system (XML)")->type_name("FILE");
+  add_sets(test, raw);
+  test.add_option("--threads", options.threads, "How many flights at a time; 0: one a processor")
+      ->type_name("N")
+      ->check(CLI::Range(0, 1024));
+  test.add_flag("-v,--verbose", options.verbose, "Say more, on stderr");
+  test.footer(std::string("\nExample:\n  mayfly test config/scenarios/faults/*.yaml --junit faults.xml\n"
+                          "  mayfly test config/scenarios/faults/robot_silent.yaml --seeds 1..20\n") +
+              kExitCodes);
+}
+
 void add_doctor(CLI::App& app) {
   app.add_subcommand("doctor", "What this machine has for flying, and how to get what is missing")
       ->footer("\nExample:\n  mayfly doctor\n");
@@ -131,9 +149,13 @@ void add_bench(CLI::App& app, BenchOptions& options) {
       ->check(CLI::Range(0.01, 3600.0));
   bench.add_option("--seeds", options.seeds, "How often, each with other random numbers")
       ->type_name("N")
-      ->check(CLI::Range(1, 1000));
+      ->check(CLI::Range(1, 1'000'000));
+  bench.add_flag("--pairs", options.pairs, "faults: every two at once instead of each alone");
   add_threads(bench, options.threads);
-  bench.footer(std::string("\nExample:\n  mayfly bench noise --figure noise.png\n") + kExitCodes);
+  bench.footer(
+      std::string(
+          "\nExample:\n  mayfly bench noise --figure noise.png\n  mayfly bench faults --seeds 100\n") +
+      kExitCodes);
 }
 
 // A word that is no command, before CLI11 calls it an unexpected argument.
@@ -142,8 +164,8 @@ bool refuse_unknown_command(int argc, const char* const* argv) {
     return false;
   }
   const std::string word = argv[1];
-  const std::vector<std::string> there{"run", "check", "doctor", "bench", "guard"};
-  const std::array<std::string_view, 4> later{"plan", "test", "emulate", "view"};
+  const std::vector<std::string> there{"run", "check", "test", "doctor", "bench", "guard"};
+  const std::array<std::string_view, 3> later{"plan", "emulate", "view"};
   if (std::find(there.begin(), there.end(), word) != there.end()) {
     return false;
   }
@@ -178,6 +200,28 @@ Result<std::vector<Override>> overrides_of(const Raw& raw) {
   return overrides;
 }
 
+// "3..8", or "3".
+Result<std::optional<Seeds>> seeds_of(const Raw& raw) {
+  if (raw.seeds.empty()) {
+    return std::nullopt;
+  }
+  const std::size_t dots = raw.seeds.find("..");
+  const auto first = read_integer(raw.seeds.substr(0, dots));
+  const auto last = dots == std::string::npos ? first : read_integer(raw.seeds.substr(dots + 2));
+  constexpr long long kMost = 1'000'000;  // flights of one scenario
+  if (!first || !last || *first < 0 || *last < *first || *last - *first >= kMost) {
+    return fail({.message = "--seeds: these are no seeds",
+                 .found = "'" + raw.seeds + "'",
+                 .wanted = "A..B with A at most B, such as 1..20"});
+  }
+  return Seeds{static_cast<std::uint64_t>(*first), static_cast<std::uint64_t>(*last)};
+}
+
+int refuse(const Error& error) {
+  fmt::print(stderr, "mayfly: {}\n", to_string(error));
+  return kBadInput;
+}
+
 }  // namespace
 
 tl::expected<Command, int> parse_arguments(int argc, const char* const* argv) {
@@ -194,10 +238,12 @@ tl::expected<Command, int> parse_arguments(int argc, const char* const* argv) {
       kExitCodes);
   RunOptions run;
   CheckOptions check;
+  TestOptions test;
   BenchOptions bench;
   Raw raw;
   add_run(app, run, raw);
   add_check(app, check, raw);
+  add_test(app, test, raw);
   GuardOptions guard;
   add_guard(app, guard, raw);
   add_doctor(app);
@@ -209,8 +255,7 @@ tl::expected<Command, int> parse_arguments(int argc, const char* const* argv) {
   }
   auto overrides = overrides_of(raw);
   if (!overrides) {
-    fmt::print(stderr, "mayfly: {}\n", to_string(overrides.error()));
-    return tl::unexpected<int>(kBadInput);
+    return tl::unexpected<int>(refuse(overrides.error()));
   }
   if (app.got_subcommand("run")) {
     run.overrides = std::move(*overrides);
@@ -220,6 +265,15 @@ tl::expected<Command, int> parse_arguments(int argc, const char* const* argv) {
   if (app.got_subcommand("check")) {
     check.overrides = std::move(*overrides);
     return Command(std::move(check));
+  }
+  if (app.got_subcommand("test")) {
+    auto seeds = seeds_of(raw);
+    if (!seeds) {
+      return tl::unexpected<int>(refuse(seeds.error()));
+    }
+    test.overrides = std::move(*overrides);
+    test.seeds = *seeds;
+    return Command(std::move(test));
   }
   if (app.got_subcommand("guard")) {
     guard.overrides = std::move(*overrides);

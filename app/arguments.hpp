@@ -1,7 +1,9 @@
 // The command line.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -38,6 +40,19 @@ struct CheckOptions {
   bool verbose = false;
 };
 
+struct Seeds {
+  std::uint64_t first = 1, last = 1;
+};
+
+struct TestOptions {
+  std::vector<std::filesystem::path> scenarios;
+  std::vector<Override> overrides;
+  std::optional<Seeds> seeds;   // empty: each scenario's own
+  std::filesystem::path junit;  // empty: not wanted
+  int threads = 0;              // how many flights at a time; 0: one a processor
+  bool verbose = false;
+};
+
 struct DoctorOptions {};
 
 struct BenchOptions {
@@ -49,6 +64,7 @@ struct BenchOptions {
   std::size_t agents = 0;   // 0: the benchmark's own
   double duration_s = 0.0;  // 0: the benchmark's own
   int seeds = 0;            // 0: the benchmark's own
+  bool pairs = false;       // faults: every two at once
 };
 
 // Of the process that `run --guard process` starts: descriptors that it was handed down.
@@ -62,7 +78,8 @@ struct GuardOptions {
   bool verbose = false;
 };
 
-using Command = std::variant<RunOptions, CheckOptions, DoctorOptions, BenchOptions, GuardOptions>;
+using Command =
+    std::variant<RunOptions, CheckOptions, TestOptions, DoctorOptions, BenchOptions, GuardOptions>;
 
 // Where the command line itself asks for no more than text (--help) or is wrong, that has been printed, and
 // the exit code comes back instead.

@@ -10,6 +10,7 @@
 #include "app/exit_code.hpp"
 #include "app/log.hpp"
 #include "app/progress_line.hpp"
+#include "bench/faults/matrix.hpp"
 #include "bench/fields/measure.hpp"
 #include "bench/forces/measure.hpp"
 #include "bench/noise/report.hpp"
@@ -87,6 +88,19 @@ BenchResult bench_forces(const BenchOptions& options, const Progress& progress) 
   return findings_of(*report, options);
 }
 
+BenchResult bench_faults(const BenchOptions& options, const Progress& progress) {
+  mayfly::bench::FaultsPlan plan;
+  plan.seeds = options.seeds > 0 ? static_cast<std::uint64_t>(options.seeds) : plan.seeds;
+  plan.pairs = options.pairs;
+  plan.threads = options.threads;
+  plan.progress = progress;
+  const auto matrix = mayfly::bench::sweep_faults(plan);
+  if (!matrix) {
+    return tl::unexpected(std::vector{matrix.error()});
+  }
+  return Findings{options.json ? to_json(*matrix) : to_text(*matrix), {}};
+}
+
 struct Benchmark {
   std::string name;
   std::string_view does;
@@ -94,6 +108,7 @@ struct Benchmark {
 };
 
 const std::array kBenchmarks{
+    Benchmark{"faults", "Every fault, alone or in pairs, against swarms that are flown badly", bench_faults},
     Benchmark{"fields", "The field core: engines, solvers, how time grows (Wang14, sections 5 to 7)",
               bench_fields},
     Benchmark{"forces", "The force core: forces, collision avoidance, neighbours (BSwarm15)", bench_forces},

@@ -10,12 +10,14 @@
 #include "app/exit_code.hpp"
 #include "app/guard_command.hpp"
 #include "app/run_command.hpp"
+#include "app/test_command.hpp"
 
 namespace {
 
 struct Runner {
   int operator()(const mayfly::app::RunOptions& options) const { return mayfly::app::run(options); }
   int operator()(const mayfly::app::CheckOptions& options) const { return mayfly::app::check(options); }
+  int operator()(const mayfly::app::TestOptions& options) const { return mayfly::app::test(options); }
   int operator()(const mayfly::app::BenchOptions& options) const { return mayfly::app::bench(options); }
   int operator()(const mayfly::app::GuardOptions& options) const { return mayfly::app::guard(options); }
   int operator()(const mayfly::app::DoctorOptions&) const { return mayfly::app::doctor(); }

@@ -17,6 +17,7 @@
 #include "controller/flight/prepare.hpp"
 #include "controller/scenario/load.hpp"
 #include "simulate/robots.hpp"
+#include "simulate/sabotage.hpp"
 
 namespace mayfly::app {
 namespace {
@@ -97,6 +98,9 @@ int fly_and_tell(const RunOptions& options, const Scenario& scenario, const Prep
   if (!robots) {
     return refuse(robots.error());
   }
+  const StopRequest& stop = robots->guard ? robots->guard->stop() : signals.stop();
+  Hal& hal = robots->guard ? static_cast<Hal&>(robots->guard->port()) : *robots->simulated.hal;
+  const simulate::Sabotage sabotage(scenario, **engine, hal, *clock, &stop);
   FlightGauge gauge;
   announce(options, scenario, **engine, agents);
   auto summary = [&] {
@@ -104,12 +108,12 @@ int fly_and_tell(const RunOptions& options, const Scenario& scenario, const Prep
     return fly({
         .scenario = scenario,
         .world = ready.world,
-        .engine = **engine,
-        .hal = robots->guard ? robots->guard->port() : *robots->simulated.hal,
+        .engine = sabotage.engine(),
+        .hal = sabotage.hal(),
         .truth = robots->simulated.truth.get(),
-        .clock = *clock,
+        .clock = sabotage.clock(),
         .observers = outputs->observers(),
-        .stop = robots->guard ? &robots->guard->stop() : &signals.stop(),
+        .stop = sabotage.stop(),
         .gauge = &gauge,
         .guard = robots->guard ? &robots->guard->port() : nullptr,
     });

@@ -3,10 +3,14 @@
 
 #include <cstdint>
 #include <glm/vec3.hpp>
+#include <limits>
 #include <string>
 #include <vector>
 
 #include "core/clock.hpp"
+#include "core/hal.hpp"
+#include "sim_hal/fault_script.hpp"
+#include "sim_hal/pose_view.hpp"
 
 namespace mayfly::sim_hal {
 
@@ -32,6 +36,15 @@ struct Faults {
   float nan = 0.0F;  // probability that a sample is NaN and claims to be valid: a peer with a bug
 };
 
+// Sees the robots as they really are, at every plant step, and what they are told: for tests of what the
+// controller promises. In lock step only.
+class StepWatcher {
+ public:
+  virtual ~StepWatcher() = default;
+  virtual void on_step(const PoseView& truth) noexcept = 0;
+  virtual void on_command(Time now, const CommandColumns& commands) noexcept = 0;
+};
+
 struct SimHalConfig {
   std::string name = "sim";
   std::vector<std::string> robot_names;
@@ -44,6 +57,11 @@ struct SimHalConfig {
   std::vector<float> max_speed;
   std::vector<float> max_acceleration;
   Faults faults;
+  std::vector<ScriptedFault> script;  // what goes wrong at set times
+  // m: where a robot that lands comes to rest.
+  float ground = -std::numeric_limits<float>::infinity();
+  float endurance = 0.0F;          // s that a full battery lasts; 0: for ever
+  StepWatcher* watcher = nullptr;  // sees every plant step in lock step; must outlive the HAL
   std::uint64_t seed = 1;
   Backend backend = Backend::kAutomatic;
   // True: time passes only in read and write, in whole plant steps, and a run is reproducible bit for bit.

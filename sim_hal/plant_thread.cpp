@@ -15,7 +15,7 @@ PlantThread::PlantThread(PlantRun& plants, Clock& clock, std::size_t robots, dou
     : plants_(&plants),
       clock_(&clock),
       period_(std::max(kShortestPeriod, from_seconds(1.0 / rate_hz))),
-      commands_(VelocityCommand(robots)),
+      commands_(PlantCommand(robots)),
       poses_(PoseSample(robots)) {}
 
 void PlantThread::start(Time now) {

@@ -24,7 +24,7 @@ class PlantThread {
   // Returns when the thread has ended: within a few milliseconds of its clock. Idempotent.
   void stop() noexcept;
 
-  Mailbox<VelocityCommand>& commands() noexcept { return commands_; }
+  Mailbox<PlantCommand>& commands() noexcept { return commands_; }
   Mailbox<PoseSample>& poses() noexcept { return poses_; }
   bool failed() const noexcept { return failed_.load(std::memory_order_relaxed); }
 
@@ -35,7 +35,7 @@ class PlantThread {
   PlantRun* plants_;
   Clock* clock_;
   Time period_;
-  Mailbox<VelocityCommand> commands_;
+  Mailbox<PlantCommand> commands_;
   Mailbox<PoseSample> poses_;
   std::atomic<bool> stopping_{false};
   std::atomic<bool> failed_{false};

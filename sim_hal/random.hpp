@@ -11,7 +11,7 @@
 namespace mayfly::sim_hal {
 
 // Which of a sample's draws; each its own independent stream.
-enum class Draw : std::uint32_t { kNoise = 1, kLoss = 2, kFreeze = 3 };
+enum class Draw : std::uint32_t { kNoise = 1, kLoss = 2, kFreeze = 3, kPoll = 4, kSend = 5 };
 
 // Four independent uniform 32-bit numbers (Philox4x32-10, Salmon et al. 2011).
 inline std::array<std::uint32_t, 4> draw(std::uint64_t seed, std::uint32_t robot, std::int64_t tick,

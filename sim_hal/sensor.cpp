@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "sim_hal/random.hpp"
 
@@ -29,12 +30,15 @@ std::optional<PoseRing> make_past(std::size_t robots, float delay, double rate_h
 
 }  // namespace
 
-Sensor::Sensor(std::size_t robots, const Faults& faults, std::uint64_t seed, double rate_hz)
+Sensor::Sensor(std::size_t robots, const Faults& faults, std::uint64_t seed, double rate_hz,
+               const FaultScript& script)
     : faults_(faults),
+      script_(&script),
       seed_(seed),
       past_(make_past(robots, faults.delay, rate_hz)),
       was_told_(faults.freeze > 0.0F ? robots : 0),
-      told_(faults.freeze > 0.0F ? robots : 0) {}
+      told_(faults.freeze > 0.0F ? robots : 0),
+      held_(script.has(Effect::kPoseFrozen) ? robots : 0) {}
 
 void Sensor::restart() noexcept {
   if (past_) {
@@ -43,7 +47,62 @@ void Sensor::restart() noexcept {
   std::fill(was_told_.begin(), was_told_.end(), std::uint8_t{0});
 }
 
-void Sensor::deliver(Time now, const PoseView& newest, const StateColumns& states) noexcept {
+void Sensor::deliver(Time now, Time since_start, const PoseView& newest,
+                     const StateColumns& states) noexcept {
+  measure(now, newest, states);
+  if (!script_->empty()) {
+    follow_script(since_start, states);
+  }
+}
+
+// The worst last, so that of several faults at once none is hidden by a milder one.
+void Sensor::follow_script(Time since_start, const StateColumns& states) noexcept {
+  const auto columns = columns_of(states);
+  script_->each(Effect::kIdSwap, [&](const ScriptedFault& fault) {
+    const RobotIndex a = fault.robot(0);
+    const RobotIndex b = fault.robot(1);
+    if (!fault.is_on(since_start) || a == kEveryRobot || b == kEveryRobot) {
+      return;
+    }
+    for (const auto& column : columns) {
+      std::swap(column[a], column[b]);
+    }
+    std::swap(states.valid[a], states.valid[b]);
+  });
+  script_->each_robot(Effect::kPoseJump, since_start, [&](RobotIndex robot, const ScriptedFault& fault) {
+    for (int axis = 0; axis < 3; ++axis) {
+      columns[static_cast<std::size_t>(axis)][robot] += fault.size * fault.direction[axis];
+    }
+  });
+  freeze_by_script(since_start, states);
+  script_->each_robot(Effect::kPoseNan, since_start, [&](RobotIndex robot, const ScriptedFault&) {
+    for (const auto& column : columns) {
+      column[robot] = std::numeric_limits<float>::quiet_NaN();
+    }
+    count(counters_.nans);
+  });
+  script_->each_robot(Effect::kPoseStale, since_start, [&](RobotIndex robot, const ScriptedFault&) {
+    states.valid[robot] = 0;
+    count(counters_.dropped);
+  });
+}
+
+void Sensor::freeze_by_script(Time since_start, const StateColumns& states) noexcept {
+  const auto columns = columns_of(states);
+  script_->each(Effect::kPoseFrozen, [&](const ScriptedFault& fault) {
+    const bool on = fault.is_on(since_start);
+    for (std::size_t i = 0; fault.robot(i) != kEveryRobot; ++i) {
+      const RobotIndex robot = fault.robot(i);
+      for (std::size_t c = 0; c < 6; ++c) {
+        float& kept = held_.column(c)[robot];
+        (on ? columns[c][robot] : kept) = on ? kept : columns[c][robot];
+      }
+      count(counters_.frozen, on ? 1 : 0);
+    }
+  });
+}
+
+void Sensor::measure(Time now, const PoseView& newest, const StateColumns& states) noexcept {
   PoseView sample = newest;
   const std::size_t robots = states.x.size();
   if (past_) {

@@ -12,33 +12,32 @@ namespace {
 constexpr std::string_view kLink = "sim";
 constexpr std::string_view kThreadFailed = "OpenCL: the plants' thread has given up";
 
-void translate(const CommandColumns& commands, VelocityCommand& to) noexcept {
-  for (std::size_t robot = 0; robot < to.x.size(); ++robot) {
-    const bool flies = commands.kind[robot] == CommandKind::kVelocity;
-    to.x[robot] = flies ? commands.vx[robot] : 0.0F;
-    to.y[robot] = flies ? commands.vy[robot] : 0.0F;
-    to.z[robot] = flies ? commands.vz[robot] : 0.0F;
-  }
+void translate(const CommandColumns& commands, PlantCommand& to) noexcept {
+  std::copy(commands.kind.begin(), commands.kind.end(), to.kind.begin());
+  std::copy(commands.vx.begin(), commands.vx.end(), to.x.begin());
+  std::copy(commands.vy.begin(), commands.vy.end(), to.y.begin());
+  std::copy(commands.vz.begin(), commands.vz.end(), to.z.begin());
   to.deadline = commands.deadline;
 }
 
 }  // namespace
 
-SimHal::SimHal(SimHalConfig config) : config_(std::move(config)) {}
+SimHal::SimHal(SimHalConfig config) : config_(std::move(config)), script_(config_.script) {}
 
 Result<void> SimHal::do_configure() {
   if (auto checked = check(config_); !checked) {
     return checked;
   }
   const std::size_t robots = config_.positions.size();
-  auto plants = PlantRun::create(config_);
+  auto plants = PlantRun::create(config_, script_);
   if (!plants) {
     return fail(std::move(plants.error()));
   }
   plants_.emplace(std::move(*plants));
-  sensor_ = std::make_unique<Sensor>(robots, config_.faults, config_.seed, config_.rate_hz);
+  sensor_ = std::make_unique<Sensor>(robots, config_.faults, config_.seed, config_.rate_hz, script_);
+  radio_ = std::make_unique<Radio>(robots, script_, config_.seed, config_.endurance);
   if (config_.lock_step) {
-    command_ = VelocityCommand(robots);
+    command_ = PlantCommand(robots);
   } else {
     thread_ = std::make_unique<PlantThread>(*plants_, *config_.clock, robots, config_.rate_hz);
   }
@@ -49,7 +48,12 @@ Result<void> SimHal::do_configure() {
 }
 
 Result<void> SimHal::do_activate(Time now) {
+  if (!started_) {
+    started_ = true;
+    origin_ = now;
+  }
   plants_->resume(now);
+  radio_->start(now);
   sensor_->restart();
   if (thread_) {
     thread_->start(now);
@@ -58,26 +62,35 @@ Result<void> SimHal::do_activate(Time now) {
 }
 
 HalResult SimHal::do_read(Time now, const StateColumns& states) noexcept {
+  const HalResult heard = radio_->poll(now);
   if (thread_) {
     thread_->poses().collect();
-    sensor_->deliver(now, thread_->poses().latest().view(), states);
-    return thread_->failed() ? failed(kThreadFailed) : HalResult{};
+    const PoseView view = thread_->poses().latest().view();
+    sensor_->deliver(now, now - origin_, view, states);
+    radio_->tell(now, view.airborne, states.telemetry);
+    return thread_->failed() ? failed(kThreadFailed) : heard;
   }
   const std::string_view failure = plants_->advance(now);
-  sensor_->deliver(now, plants_->view(), states);
-  return failure.empty() ? HalResult{} : failed(failure);
+  const PoseView view = plants_->view();
+  sensor_->deliver(now, now - origin_, view, states);
+  radio_->tell(now, view.airborne, states.telemetry);
+  return failure.empty() ? heard : failed(failure);
 }
 
 HalResult SimHal::do_write(Time now, const CommandColumns& commands) noexcept {
+  PlantCommand& to = thread_ ? thread_->commands().draft() : command_;
+  const HalResult sent = radio_->send(now, to.reaches);
+  translate(commands, to);
   if (thread_) {
-    translate(commands, thread_->commands().draft());
     thread_->commands().publish();
-    return thread_->failed() ? failed(kThreadFailed) : HalResult{};
+    return thread_->failed() ? failed(kThreadFailed) : sent;
   }
   const std::string_view failure = plants_->advance(now);
-  translate(commands, command_);
-  plants_->command(command_);
-  return failure.empty() ? HalResult{} : failed(failure);
+  plants_->command(to);
+  if (config_.watcher != nullptr) {
+    config_.watcher->on_command(now, commands);
+  }
+  return failure.empty() ? sent : failed(failure);
 }
 
 Result<void> SimHal::do_deactivate(Time now) {

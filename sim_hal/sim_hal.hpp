@@ -12,14 +12,17 @@
 #include "sim_hal/config.hpp"
 #include "sim_hal/plant_run.hpp"
 #include "sim_hal/plant_thread.hpp"
+#include "sim_hal/radio.hpp"
 #include "sim_hal/sensor.hpp"
 
 namespace mayfly::sim_hal {
 
 // How the robots answer: kVelocity is obeyed until the command's deadline, within the robot's own limits;
-// everything else makes a robot hold, which is to want velocity 0. Simulated robots are in the air from the
-// start, so there is nothing to take off from or to land on. After deactivate() they hold, and time goes on:
-// at the next activate() they have stopped wherever that took them.
+// kLand sinks straight down at 0.5 m/s to the ground, where the motors stop (whoever is below is not minded:
+// that is the guard's); kTakeOff climbs from there to 0.5 m above it; everything else makes a robot hold,
+// which is to want velocity 0. Simulated robots are in the air from the start. A robot that hears nothing
+// obeys the last that it heard until its deadline. After deactivate() they hold, and time goes on: at the
+// next activate() they have stopped wherever that took them.
 class SimHal final : public Hal {
  public:
   explicit SimHal(SimHalConfig config);
@@ -48,11 +51,15 @@ class SimHal final : public Hal {
   HalResult failed(std::string_view cause) const noexcept;
 
   SimHalConfig config_;
+  FaultScript script_;
+  std::unique_ptr<Radio> radio_;
   std::vector<RobotInfo> infos_;
   std::optional<PlantRun> plants_;
   std::unique_ptr<Sensor> sensor_;
   std::unique_ptr<PlantThread> thread_;  // none in lock step
-  VelocityCommand command_;              // lock step's own, while a write is under way
+  PlantCommand command_;                 // lock step's own, while a write is under way
+  bool started_ = false;
+  Time origin_{0};  // the first activation
 };
 
 }  // namespace mayfly::sim_hal

@@ -6,6 +6,7 @@
 #include "controller/flight/flight.hpp"
 #include "controller/flight/prepare.hpp"
 #include "simulate/robots.hpp"
+#include "simulate/sabotage.hpp"
 
 namespace mayfly::simulate {
 
@@ -20,14 +21,16 @@ tl::expected<Summary, std::vector<Error>> fly_simulated(const Scenario& scenario
     return tl::unexpected(std::vector<Error>{std::move(prepared.error())});
   }
   VirtualClock clock;
-  const Robots robots = make_robots(scenario, ready.places, clock);
+  const Robots robots = make_robots(scenario, ready.places, clock, sim_hal::Backend::kNative);
+  const Sabotage sabotage(scenario, *engine, *robots.hal, clock, nullptr);
   auto flown = fly({.scenario = scenario,
                     .world = ready.world,
-                    .engine = *engine,
-                    .hal = *robots.hal,
+                    .engine = sabotage.engine(),
+                    .hal = sabotage.hal(),
                     .truth = robots.truth.get(),
-                    .clock = clock,
-                    .observers = options.observers});
+                    .clock = sabotage.clock(),
+                    .observers = options.observers,
+                    .stop = sabotage.stop()});
   if (!flown) {
     return tl::unexpected(std::vector<Error>{std::move(flown.error())});
   }

@@ -4,12 +4,15 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
 
 #include "controller/composite_hal.hpp"
 #include "sim_hal/sim_hal.hpp"
+#include "simulate/sabotage.hpp"
 
 namespace mayfly::simulate {
 namespace {
@@ -34,6 +37,7 @@ sim_hal::SimHalConfig config_of(const HalSpec& spec, const Scenario& scenario, C
   config.rate_hz = static_cast<double>(spec.sim.rate);
   config.faults = {spec.sim.pose_noise, spec.sim.delay,       spec.sim.dropout,
                    spec.sim.freeze,     spec.sim.freeze_time, spec.sim.nan};
+  config.endurance = spec.sim.endurance;
   config.seed = scenario.seed;
   config.lock_step = clock.is_virtual();
   config.clock = &clock;
@@ -44,13 +48,67 @@ std::string name_of(const SwarmSpec& swarm, std::size_t agent) {
   return fmt::format("{}_{}", swarm.name, agent);
 }
 
-void add_swarm(sim_hal::SimHalConfig& config, const SwarmSpec& swarm, std::span<const glm::vec3> positions) {
+void add_swarm(sim_hal::SimHalConfig& config, const SwarmSpec& swarm, float floor,
+               std::span<const glm::vec3> positions) {
+  config.ground = std::max(config.ground, floor + swarm.radius);
   for (std::size_t i = 0; i < positions.size(); ++i) {
     config.robot_names.push_back(name_of(swarm, i));
     config.positions.push_back(positions[i]);
     config.max_speed.push_back(swarm.limits.speed);
     config.max_acceleration.push_back(swarm.limits.acceleration);
   }
+}
+
+std::optional<sim_hal::Effect> effect_of(FaultKind kind) {
+  using sim_hal::Effect;
+  constexpr std::array kEffects{std::pair{FaultKind::kLinkLost, Effect::kLinkLost},
+                                std::pair{FaultKind::kRobotSilent, Effect::kSilent},
+                                std::pair{FaultKind::kLinkDegraded, Effect::kLinkLoss},
+                                std::pair{FaultKind::kPoseStale, Effect::kPoseStale},
+                                std::pair{FaultKind::kPoseFrozen, Effect::kPoseFrozen},
+                                std::pair{FaultKind::kPoseNan, Effect::kPoseNan},
+                                std::pair{FaultKind::kPoseJump, Effect::kPoseJump},
+                                std::pair{FaultKind::kIdSwap, Effect::kIdSwap},
+                                std::pair{FaultKind::kWind, Effect::kWind},
+                                std::pair{FaultKind::kWeakMotor, Effect::kWeakMotor},
+                                std::pair{FaultKind::kBatteryLow, Effect::kBatteryLow},
+                                std::pair{FaultKind::kBatteryCritical, Effect::kBatteryLow},
+                                std::pair{FaultKind::kBatteryJump, Effect::kBatteryJump},
+                                std::pair{FaultKind::kBatteryNan, Effect::kBatteryNan},
+                                std::pair{FaultKind::kSimulationFailed, Effect::kSimulationFails}};
+  const auto* const found =
+      std::find_if(kEffects.begin(), kEffects.end(), [&](const auto& e) { return e.first == kind; });
+  return found == kEffects.end() ? std::nullopt : std::optional(found->second);
+}
+
+// What of the scenario's faults strikes the robots of a HAL: the agents [first, first + count).
+std::vector<sim_hal::ScriptedFault> script_of(const Scenario& scenario, std::size_t first,
+                                              std::size_t count) {
+  std::vector<sim_hal::ScriptedFault> script;
+  for (const FaultSpec& fault : scenario.faults) {
+    const auto effect = effect_of(fault.kind);
+    if (!effect) {
+      continue;
+    }
+    sim_hal::ScriptedFault scripted;
+    scripted.effect = *effect;
+    scripted.from = from_seconds(fault.at);
+    scripted.until = std::isfinite(fault.length) ? from_seconds(fault.at + fault.length) : Time::max();
+    scripted.size = static_cast<float>(fault.size);
+    scripted.direction = fault.direction;
+    for (const StruckAgents& range : fault.agents) {
+      const std::size_t from = std::max(range.first, first);
+      const std::size_t to = std::min(range.first + range.count, first + count);
+      if (from < to) {
+        scripted.robots.push_back(
+            {static_cast<RobotIndex>(from - first), static_cast<RobotIndex>(to - from)});
+      }
+    }
+    if (!scripted.robots.empty()) {
+      script.push_back(std::move(scripted));
+    }
+  }
+  return script;
 }
 
 const HalSpec& spec_of(const Scenario& scenario, const std::string& name) {
@@ -95,8 +153,9 @@ std::vector<RobotInfo> robot_names(const Scenario& scenario) {
   return robots;
 }
 
-Robots make_robots(const Scenario& scenario, const std::vector<glm::vec3>& positions, Clock& clock,
-                   sim_hal::Backend backend) {
+Robots make_robots(const Scenario& scenario, const std::vector<glm::vec3>& places, Clock& clock,
+                   sim_hal::Backend backend, sim_hal::StepWatcher* watcher) {
+  const std::vector<glm::vec3> positions = start_places(scenario, places);
   // Neighbouring swarms of one HAL share it; the order of robots is the order of agents.
   std::vector<sim_hal::SimHalConfig> configs;
   std::size_t first = 0;
@@ -105,8 +164,14 @@ Robots make_robots(const Scenario& scenario, const std::vector<glm::vec3>& posit
       configs.push_back(config_of(spec_of(scenario, swarm.robots), scenario, clock));
     }
     const auto count = static_cast<std::size_t>(swarm.count);
-    add_swarm(configs.back(), swarm, std::span(positions).subspan(first, count));
+    add_swarm(configs.back(), swarm, scenario.world.bounds.min.z, std::span(positions).subspan(first, count));
     first += count;
+  }
+  first = 0;
+  for (sim_hal::SimHalConfig& config : configs) {
+    config.watcher = watcher;
+    config.script = script_of(scenario, first, config.positions.size());
+    first += config.positions.size();
   }
   std::vector<sim_hal::SimHal*> sims;
   std::vector<std::unique_ptr<Hal>> hals;

@@ -18,9 +18,12 @@ struct Robots {
   std::unique_ptr<GroundTruth> truth;  // none on the real clock: then the simulation has a life of its own
 };
 
-// One robot an agent, in the scenario's order, starting at `positions` (m). `clock` must outlive the HAL.
-Robots make_robots(const Scenario& scenario, const std::vector<glm::vec3>& positions, Clock& clock,
-                   sim_hal::Backend backend = sim_hal::Backend::kAutomatic);
+// One robot an agent, in the scenario's order, starting at `places` (m), with what the scenario lets go wrong
+// with robots and their links. `clock` must outlive the HAL, and so must `watcher`, which sees the plant
+// steps of every HAL.
+Robots make_robots(const Scenario& scenario, const std::vector<glm::vec3>& places, Clock& clock,
+                   sim_hal::Backend backend = sim_hal::Backend::kAutomatic,
+                   sim_hal::StepWatcher* watcher = nullptr);
 
 // What the robots that make_robots() makes are called, before there are any.
 std::vector<RobotInfo> robot_names(const Scenario& scenario);

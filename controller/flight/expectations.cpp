@@ -52,6 +52,7 @@ std::optional<double> measured(const Expectation& expectation, const Summary& su
     case Quantity::kClearing:
     case Quantity::kParting:
     case Quantity::kClosing:
+    case Quantity::kNoticed:
     case Quantity::kInfeasible:
       return asked;
   }

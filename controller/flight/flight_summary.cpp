@@ -5,6 +5,7 @@
 #include "controller/flight/expectations.hpp"
 #include "controller/flight/flight_guard.hpp"
 #include "controller/flight/flight_loop.hpp"
+#include "controller/flight/noticed.hpp"
 
 namespace mayfly {
 namespace {
@@ -17,13 +18,16 @@ bool has_mde(const Scenario& scenario) {
 
 // What metrics_config() had measured for each expectation; `infeasible` is a share.
 std::vector<std::optional<double>> asked_for(const Scenario& scenario, const MetricsResult& measured,
-                                             std::optional<double> infeasible) {
+                                             std::optional<double> infeasible,
+                                             const std::vector<FaultEvent>& faults) {
   std::vector<std::optional<double>> asked = measured.motions;
   for (std::size_t i = 0; i < scenario.expect.size(); ++i) {
     if (scenario.expect[i].quantity == Expectation::Quantity::kWallClearance) {
       asked[i] = measured.wall_clearance_m;
     } else if (scenario.expect[i].quantity == Expectation::Quantity::kInfeasible) {
       asked[i] = infeasible;
+    } else if (scenario.expect[i].quantity == Expectation::Quantity::kNoticed) {
+      asked[i] = noticed_after(scenario, scenario.expect[i].fault, faults);
     }
   }
   return asked;
@@ -84,7 +88,8 @@ Summary FlightLoop::summarise(ControlSummary timing, double wall_s) const {
                                     [&](const SwarmSpec& spec) { return spec.name == name; });
     return measured.reached_fraction_of[static_cast<std::size_t>(swarm - scenario.swarms.begin())];
   };
-  s.expect = hold_expectations(scenario.expect, s, reached, asked_for(scenario, measured, infeasible));
+  s.expect =
+      hold_expectations(scenario.expect, s, reached, asked_for(scenario, measured, infeasible, s.faults));
   return s;
 }
 

@@ -81,6 +81,9 @@ std::vector<SwarmSpec> build_swarms(const Values& top, const Scenario& scenario,
 // Needs the world, the swarms and the lamps of `scenario`.
 std::vector<Expectation> build_expectations(const Values& top, const Scenario& scenario, Findings& findings);
 
+// Needs the swarms, the HALs, the seed and the duration of `scenario`.
+std::vector<FaultSpec> build_faults(const Values& top, const Scenario& scenario, Findings& findings);
+
 std::vector<PlannerSpec> build_planners(const Values& top, Findings& findings);
 
 }  // namespace mayfly

@@ -19,7 +19,7 @@ struct QuantityKey {
 };
 
 // In the order of Expectation::Quantity.
-constexpr std::array<QuantityKey, 25> kQuantities = {{{"reached", "fraction"},
+constexpr std::array<QuantityKey, 26> kQuantities = {{{"reached", "fraction"},
                                                       {"min_separation", nullptr},
                                                       {"penetrations", nullptr},
                                                       {"collisions", nullptr},
@@ -43,6 +43,7 @@ constexpr std::array<QuantityKey, 25> kQuantities = {{{"reached", "fraction"},
                                                       {"clearing", "distance"},
                                                       {"parting", "ratio"},
                                                       {"closing", "ratio"},
+                                                      {"noticed", "within"},
                                                       {"infeasible", nullptr}}};
 
 void read_measure(Expectation& result, const std::string& written) {
@@ -148,6 +149,19 @@ void build_motion(Expectation& result, const Values& values, const Scenario& sce
   }
 }
 
+void build_noticed(Expectation& result, const Values& values, const Scenario& scenario, Findings& findings) {
+  const FaultRow& row = fault_rows()[static_cast<std::size_t>(values.choice("fault"))];
+  result.fault = row.kind;
+  result.text += " " + std::string(row.name);
+  if (row.symptom == Symptom::kCount) {
+    findings.error(values.mark("fault"), fmt::format("'{}' has no symptom to be noticed by", row.name));
+  } else if (std::none_of(scenario.faults.begin(), scenario.faults.end(),
+                          [&](const FaultSpec& fault) { return fault.kind == row.kind; })) {
+    findings.error(values.mark("fault"), fmt::format("nothing of the kind '{}' goes wrong", row.name), "",
+                   "one of those in 'faults'");
+  }
+}
+
 Expectation build_expectation(const Values& values, const Scenario& scenario, Findings& findings) {
   Expectation result;
   std::size_t which = 0;
@@ -164,6 +178,8 @@ Expectation build_expectation(const Values& values, const Scenario& scenario, Fi
   const Values map = values.map(key.name);
   if (result.quantity == Quantity::kReached) {
     build_reached(result, map, scenario, findings);
+  } else if (result.quantity == Quantity::kNoticed) {
+    build_noticed(result, map, scenario, findings);
   } else {
     build_motion(result, map, scenario, findings);
   }

@@ -46,6 +46,8 @@ class Checker {
         return check_list(node, key, name);
       case KeyType::kVector:
         return check_vector(node, key, name);
+      case KeyType::kNames:
+        return check_names(node, key, name);
       default:
         return check_scalar(node, key, name);
     }
@@ -187,6 +189,19 @@ class Checker {
     number.type = KeyType::kNumber;
     for (std::size_t i = 0; i < 3; ++i) {
       check_scalar(node.items[i], number, fmt::format("{}[{}]", name, i));
+    }
+  }
+
+  void check_names(const YamlNode& node, const Key& key, const std::string& name) {
+    const auto is_good = [](const YamlNode& n) { return n.kind == Kind::kScalar && is_name(n.text); };
+    const bool is_list = node.kind == Kind::kSequence && !node.items.empty();
+    if (!is_list && !is_good(node)) {
+      return wrong_type(node, key, name);
+    }
+    for (std::size_t i = 0; i < node.items.size(); ++i) {
+      if (!is_good(node.items[i])) {
+        wrong_type(node.items[i], key, fmt::format("{}[{}]", name, i));
+      }
     }
   }
 

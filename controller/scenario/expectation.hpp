@@ -5,6 +5,8 @@
 #include <optional>
 #include <string>
 
+#include "controller/faults/fault_table.hpp"
+
 namespace mayfly {
 
 struct Expectation {
@@ -33,6 +35,7 @@ struct Expectation {
     kClearing,          // m, the least distance of any agent to a stimulus, at any tick
     kParting,           // the largest spread from an encounter with a stimulus on, by that at its start
     kClosing,           // the spread of the flight's last tenth, by that at the start of the encounter
+    kNoticed,           // s, the longest from a fault's begin until its symptom was reported
     kInfeasible         // share of the agent-ticks of swarms with avoidance
   };
   enum class Comparison { kGreaterEqual, kLessEqual, kEqual, kGreater, kLess };
@@ -41,11 +44,12 @@ struct Expectation {
   std::string goal;   // kReached, kGoalDistance; empty: each swarm's own
   Comparison comparison = Comparison::kEqual;
   double wanted = 0.0;
-  std::string text;                   // as written, for the summary: "reached flies at exit"
-  std::optional<glm::vec3> around{};  // m, kTurns only: where the axis stands
-  std::string stimulus{};             // of those that are about one
-  float within = 0.0F;                // m, kArrived only
-  std::optional<double> at{};         // s, kArrived only: when; empty: at the flight's end
+  std::string text;                     // as written, for the summary: "reached flies at exit"
+  std::optional<glm::vec3> around{};    // m, kTurns only: where the axis stands
+  std::string stimulus{};               // of those that are about one
+  float within = 0.0F;                  // m, kArrived only
+  FaultKind fault = FaultKind::kCount;  // kNoticed only
+  std::optional<double> at{};           // s, kArrived only: when; empty: at the flight's end
 };
 
 }  // namespace mayfly

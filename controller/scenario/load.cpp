@@ -42,6 +42,7 @@ ScenarioResult build_scenario(const YamlNode& root, const std::filesystem::path&
   if (findings.errors.empty()) {
     check_memory(top.map("world"), scenario, available_memory(), findings);
   }
+  scenario.faults = build_faults(top, scenario, findings);
   scenario.expect = build_expectations(top, scenario, findings);
   scenario.planners = build_planners(top, findings);
   scenario.warnings = std::move(findings.warnings);

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "controller/scenario/expectation.hpp"
+#include "controller/scenario/fault_spec.hpp"
 #include "controller/scenario/model_specs.hpp"
 #include "controller/scenario/path_spec.hpp"
 #include "controller/scenario/stimulus_specs.hpp"
@@ -141,6 +142,7 @@ struct SimHalSpec {
                         // for freeze_time
   float freeze_time = 0.5F;  // s
   float nan = 0.0F;          // probability that one sample is NaN
+  float endurance = 0.0F;    // s that a full battery lasts; 0: for ever
 };
 
 struct HalSpec {
@@ -182,6 +184,7 @@ struct Scenario {
   ControlSpec control;
   RecordSpec record;
   std::vector<HalSpec> hals;
+  std::vector<FaultSpec> faults;
   std::vector<Expectation> expect;
   std::vector<PlannerSpec> planners;
   std::vector<Error> warnings;  // what is odd but flies

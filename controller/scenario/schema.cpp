@@ -92,6 +92,8 @@ std::string wanted_of(const Key& key) {
       return "a name of letters, digits, _ and -";
     case KeyType::kFile:
       return "the path of a file";
+    case KeyType::kNames:
+      return "a name, or a list of names";
     case KeyType::kInteger:
       return "a whole number" + unit + range_of(key);
     case KeyType::kNumber:

@@ -14,7 +14,8 @@ enum class KeyType {
   kNamedMap,  // keys are names that the user gives; what is under each is the row "PATH.*"
   kList,      // its elements are the row "PATH[]"
   kText,
-  kName,  // letters, digits, _ and -: what --set can address
+  kNames,  // a name, or a list of names
+  kName,   // letters, digits, _ and -: what --set can address
   kFile,
   kInteger,
   kNumber,

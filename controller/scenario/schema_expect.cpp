@@ -1,6 +1,7 @@
 // The rows of what a run is held to.
 #include <string>
 
+#include "controller/faults/fault_table.hpp"
 #include "controller/scenario/schema_rows.hpp"
 
 namespace mayfly {
@@ -173,6 +174,17 @@ void add_expect_rows(Rows& rows) {
   add_motion_rows(rows, at);
   add_order_rows(rows, at);
   add_answer_rows(rows, at);
+  rows.push_back({.path = at + ".noticed",
+                  .type = KeyType::kMap,
+                  .group = "quantity",
+                  .text = "How soon a fault that the scenario injects is reported by its symptom."});
+  rows.push_back({.path = at + ".noticed.fault",
+                  .type = KeyType::kChoice,
+                  .required = true,
+                  .choices = fault_names(),
+                  .text = "Which of `faults`."});
+  add_measure(rows, at + ".noticed.within", "s",
+              "The longest from the begin of such a fault to the first report of one whom it strikes.", 1e6);
   quantity("infeasible", "", 1.0,
            "The share of agent-ticks, of swarms that avoid collisions, without a velocity clear of "
            "everybody.");

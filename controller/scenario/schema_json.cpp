@@ -93,6 +93,12 @@ void add_type(Json& schema, const Key& key) {
       schema["type"] = {"string", "integer"};
       schema["pattern"] = "^[A-Za-z0-9_-]{1,64}$";
       return;
+    case KeyType::kNames: {
+      const Json name = {{"type", {"string", "integer"}}, {"pattern", "^[A-Za-z0-9_-]{1,64}$"}};
+      const Json list = {{"type", "array"}, {"items", name}, {"minItems", 1}};
+      schema["anyOf"] = Json::array({name, list});
+      return;
+    }
     case KeyType::kInteger:
     case KeyType::kNumber:
       schema["type"] = key.type == KeyType::kInteger ? "integer" : "number";

@@ -67,6 +67,8 @@ std::string type_text(const Key& key) {
       return "text";
     case KeyType::kName:
       return "name";
+    case KeyType::kNames:
+      return "name, or list of names";
     case KeyType::kFile:
       return "file";
     case KeyType::kInteger:

@@ -165,6 +165,13 @@ void add_hal_rows(Rows& rows) {
                   .fallback = "0.5",
                   .text = "How long a frozen pose stays."});
   chance("nan", "", "Probability that one robot's pose of one tick is not a number.");
+  rows.push_back({.path = at + ".endurance",
+                  .type = KeyType::kNumber,
+                  .unit = "s",
+                  .min = 1.0,
+                  .max = 1e6,
+                  .fallback_text = "for ever",
+                  .text = "How long a full battery lasts."});
 }
 
 }  // namespace
@@ -177,6 +184,7 @@ std::vector<Key> schema_rows() {
   add_stimulus_rows(rows);
   add_run_rows(rows);
   add_hal_rows(rows);
+  add_fault_rows(rows);
   add_expect_rows(rows);
   return rows;
 }

@@ -75,6 +75,18 @@ int Values::choice(std::string_view key) const {
   return static_cast<int>(found - row->choices.begin());
 }
 
+std::vector<Values::Name> Values::names(std::string_view key) const {
+  std::vector<Name> names;
+  const YamlNode* value = node(key);
+  if (value != nullptr && value->kind == YamlNode::Kind::kScalar) {
+    names.push_back({value->text, value->mark});
+  }
+  for (std::size_t i = 0; value != nullptr && i < value->items.size(); ++i) {
+    names.push_back({value->items[i].text, value->items[i].mark});
+  }
+  return names;
+}
+
 std::optional<float> Values::maybe_number(std::string_view key) const {
   return has(key) ? std::optional(number_f(key)) : std::nullopt;
 }

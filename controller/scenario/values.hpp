@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "controller/scenario/document.hpp"
 
@@ -36,6 +37,11 @@ class Values {
   glm::vec3 vector(std::string_view key) const;
   // Of an element of a list of vectors: the element itself.
   glm::vec3 whole_vector() const;
+  struct Name {
+    std::string text;
+    YamlMark mark;
+  };
+  std::vector<Name> names(std::string_view key) const;
   // Which of the table's choices, from 0.
   int choice(std::string_view key) const;
 

@@ -38,12 +38,21 @@ inline std::string name_of(const ::testing::TestParamInfo<HalFactory>& info) {
 // Columns for `robots` robots, with memory of their own.
 struct States {
   explicit States(std::size_t robots)
-      : x(robots), y(robots), z(robots), vx(robots), vy(robots), vz(robots), stamp(robots), valid(robots) {}
-  StateColumns columns() { return {x, y, z, vx, vy, vz, stamp, valid}; }
+      : x(robots),
+        y(robots),
+        z(robots),
+        vx(robots),
+        vy(robots),
+        vz(robots),
+        stamp(robots),
+        valid(robots),
+        telemetry(robots) {}
+  StateColumns columns() { return {x, y, z, vx, vy, vz, stamp, valid, telemetry}; }
   float speed(std::size_t robot) const { return std::hypot(vx[robot], vy[robot], vz[robot]); }
   std::vector<float> x, y, z, vx, vy, vz;
   std::vector<Time> stamp;
   std::vector<std::uint8_t> valid;
+  std::vector<Telemetry> telemetry;
 };
 
 struct Commands {

@@ -5,6 +5,7 @@
 #include <regex>
 #include <set>
 
+#include "controller/faults/fault_table.hpp"
 #include "controller/guard/invariants.hpp"
 #include "controller/safety/reaction_table.hpp"
 #include "record/csv_text.hpp"
@@ -73,12 +74,21 @@ TEST(Reference, RecordingPageHasEveryColumn) {
   EXPECT_EQ(first_column("recording-csv.md"), columns);
 }
 
+TEST(Reference, FaultsPageHasTheTableOfTheProgram) {
+  const std::string table = fault_reference_table();
+  EXPECT_NE(text_of(kReference + "faults.md").find(table), std::string::npos)
+      << "docs/reference/faults.md has to have this table:\n"
+      << table;
+}
+
 TEST(Reference, BenchPageHasEveryKeyOfTheJson) {
   const auto noise =
       run_program({"bench", "noise", "--json", "--agents", "8", "--duration", "1", "--seeds", "1"});
   const auto fields = run_program({"bench", "fields", "--json", "--agents", "1024"});
   const auto forces = run_program({"bench", "forces", "--json", "--agents", "1000"});
+  const auto faults = run_program({"bench", "faults", "--json", "--seeds", "1"});
   Names keys, without_spread;
+  add_keys(nlohmann::json::parse(faults.out), "", keys);
   add_keys(nlohmann::json::parse(noise.out), "", keys);
   add_keys(nlohmann::json::parse(fields.out), "", keys);
   add_keys(nlohmann::json::parse(forces.out), "", keys);

@@ -18,6 +18,7 @@ TEST(CommandLine, HelpHasAnExampleEverywhere) {
   for (const std::vector<std::string>& command : {std::vector<std::string>{"--help"},
                                                   {"run", "--help"},
                                                   {"check", "--help"},
+                                                  {"test", "--help"},
                                                   {"doctor", "--help"},
                                                   {"bench", "--help"}}) {
     const Outcome outcome = run_program(command);
@@ -48,7 +49,7 @@ TEST(CommandLine, UnknownCommandsSayWhatThereIs) {
   EXPECT_THAT(run_program({"chekc"}).error, HasSubstr("did you mean 'check'?"));
   const Outcome later = run_program({"plan", "x.yaml"});
   EXPECT_EQ(later.exit_code, 2);
-  EXPECT_THAT(later.error, HasSubstr("not available yet: 'plan'; wanted run, check, doctor or bench"));
+  EXPECT_THAT(later.error, HasSubstr("not available yet: 'plan'; wanted run, check, test, doctor or bench"));
 }
 
 TEST(CommandLine, AMissingFileIsNamed) {

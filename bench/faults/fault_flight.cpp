@@ -1,0 +1,188 @@
+#include "bench/faults/fault_flight.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <numbers>
+#include <utility>
+
+#include "bench/faults/hostile_engine.hpp"
+#include "controller/clock/virtual_clock.hpp"
+#include "controller/flight/flight.hpp"
+#include "controller/flight/noticed.hpp"
+#include "controller/scenario/load.hpp"
+#include "simulate/robots.hpp"
+#include "simulate/sabotage.hpp"
+
+namespace mayfly::bench {
+namespace {
+
+constexpr auto kScenario = R"(mayfly: 1
+name: faults
+duration: 4
+world:
+  bounds: {min: [0, 0, 0], max: [6, 6, 3]}
+  cell: 0.5
+  goals:
+    middle: {sphere: {center: [3, 3, 1.5], radius: 0.5}}
+swarms:
+  - name: flies
+    count: 8
+    start: {box: {min: [0.5, 0.5, 0.5], max: [5.5, 5.5, 2.5]}}
+    goal: middle
+    limits: {speed: 2, acceleration: 4, separation: 0.3}
+    radius: 0.1
+control: {rate: 50}
+hal:
+  sim: {kind: sim, plant: velocity_lag, time_constant: 0.1, rate: 200, pose_noise: 0.003, delay: 0.02}
+)";
+
+constexpr float kStartApart = 0.8F;  // m
+constexpr float kTooFast = 1.5F;     // the planner's speed, by the limit
+
+// Uniform numbers that follow from the seed (SplitMix64, Steele et al. 2014).
+class Chances {
+ public:
+  explicit Chances(std::uint64_t seed) : state_(seed) {}
+  double between(double low, double high) {
+    state_ += 0x9E3779B97F4A7C15U;
+    std::uint64_t z = state_;
+    z = (z ^ (z >> 30U)) * 0xBF58476D1CE4E5B9U;
+    z = (z ^ (z >> 27U)) * 0x94D049BB133111EBU;
+    return low + (high - low) * static_cast<double>((z ^ (z >> 31U)) >> 11U) * 0x1p-53;
+  }
+  std::size_t below(std::size_t count) {
+    return std::min(count - 1, static_cast<std::size_t>(between(0.0, static_cast<double>(count))));
+  }
+
+ private:
+  std::uint64_t state_;
+};
+
+std::vector<glm::vec3> start_anywhere(const Box& box, std::size_t count, Chances& chances) {
+  std::vector<glm::vec3> places;
+  while (places.size() < count) {
+    glm::vec3 place(0.0F);
+    for (int axis = 0; axis < 3; ++axis) {
+      place[axis] = static_cast<float>(
+          chances.between(static_cast<double>(box.min[axis]), static_cast<double>(box.max[axis])));
+    }
+    const bool free = std::all_of(places.begin(), places.end(), [&](glm::vec3 other) {
+      return glm::distance(place, other) >= kStartApart;
+    });
+    if (free) {
+      places.push_back(place);
+    }
+  }
+  return places;
+}
+
+FaultSpec fault_of(FaultKind kind, std::size_t agents, Chances& chances) {
+  const FaultRow& row = fault_row(kind);
+  FaultSpec fault;
+  fault.kind = kind;
+  fault.at = row.place == FaultPlace::kStart ? 0.0 : chances.between(0.8, 1.2);
+  fault.length = chances.between(1.5, 2.0);
+  fault.size = row.usual_size;
+  const double angle = chances.between(0.0, 2.0 * std::numbers::pi);
+  fault.direction = {static_cast<float>(std::cos(angle)), static_cast<float>(std::sin(angle)), 0.0F};
+  if (row.target == FaultTarget::kEverybody) {
+    fault.agents = {{0, agents}};
+    return fault;
+  }
+  const std::size_t one = chances.below(agents);
+  fault.agents = {{one, 1}};
+  if (row.target == FaultTarget::kPair) {
+    fault.agents.push_back({(one + 1 + chances.below(agents - 1)) % agents, 1});
+  }
+  return fault;
+}
+
+bool strikes(const FaultSpec& fault, std::size_t agent) {
+  return std::any_of(fault.agents.begin(), fault.agents.end(), [&](const StruckAgents& struck) {
+    return agent >= struck.first && agent < struck.first + struck.count;
+  });
+}
+
+// Of all whom the row's reaction stops.
+std::optional<double> stopped_after(const FaultSpec& fault, const BreachWatch& watch, std::size_t agents) {
+  const Severity reaction = fault_row(fault.kind).reaction;
+  if (reaction < Severity::kHold) {
+    return std::nullopt;
+  }
+  double latest = 0.0;
+  for (std::size_t agent = 0; agent < agents; ++agent) {
+    if (reaction != Severity::kHoldAll && !strikes(fault, agent)) {
+      continue;
+    }
+    const auto after = watch.stopped_after(agent, from_seconds(fault.at));
+    if (!after) {
+      return std::nullopt;
+    }
+    latest = std::max(latest, *after);
+  }
+  return latest;
+}
+
+}  // namespace
+
+Result<FaultWorld> make_fault_world() {
+  FaultWorld world;
+  auto scenario = load_scenario_text(kScenario, "faults.yaml", {});
+  if (!scenario) {
+    return fail(std::move(scenario.error().front()));
+  }
+  world.scenario = std::move(*scenario);
+  auto ready = prepare(world.scenario, {.threads = 1});
+  if (!ready) {
+    return fail(std::move(ready.error().front()));
+  }
+  world.ready = std::move(*ready);
+  const SwarmSpec& swarm = world.scenario.swarms.front();
+  world.limits = {swarm.radius, swarm.limits.speed, swarm.limits.acceleration, world.scenario.world.bounds};
+  return world;
+}
+
+Result<FaultFlight> fly_with_faults(const FaultWorld& world, const std::vector<FaultKind>& kinds,
+                                    std::uint64_t seed) {
+  Scenario scenario = world.scenario;
+  scenario.seed = seed;
+  Chances chances(seed);
+  const auto agents = static_cast<std::size_t>(scenario.swarms.front().count);
+  const Box start{{0.5F, 0.5F, 0.5F}, {5.5F, 5.5F, 2.5F}};
+  const std::vector<glm::vec3> places = start_anywhere(start, agents, chances);
+  bool ends_early = false;
+  for (const FaultKind kind : kinds) {
+    scenario.faults.push_back(fault_of(kind, agents, chances));
+    ends_early = ends_early || fault_row(kind).place == FaultPlace::kOperator;
+  }
+  VirtualClock clock;
+  BreachWatch watch(agents, world.limits);
+  HostileEngine engine(seed, scenario.world.bounds, kTooFast * world.limits.speed);
+  const simulate::Robots robots =
+      simulate::make_robots(scenario, places, clock, sim_hal::Backend::kNative, &watch);
+  const simulate::Sabotage sabotage(scenario, engine, *robots.hal, clock, nullptr);
+  const auto summary = fly({.scenario = scenario,
+                            .world = world.ready->world,
+                            .engine = sabotage.engine(),
+                            .hal = sabotage.hal(),
+                            .truth = robots.truth.get(),
+                            .clock = sabotage.clock(),
+                            .stop = sabotage.stop()});
+  if (!summary) {
+    return fail(summary.error());
+  }
+  FaultFlight flight;
+  flight.breaches = watch.breaches();
+  flight.least_gap = watch.least_gap();
+  flight.hash = watch.hash();
+  const double last_ticks = 3.0 / static_cast<double>(scenario.control.rate);
+  flight.hung = !ends_early && summary->simulated_s < scenario.duration - last_ticks;
+  for (const FaultSpec& fault : scenario.faults) {
+    flight.seen_after.push_back(noticed_after(scenario, fault, summary->faults));
+    flight.stopped_after.push_back(stopped_after(fault, watch, agents));
+  }
+  return flight;
+}
+
+}  // namespace mayfly::bench

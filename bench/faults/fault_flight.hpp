@@ -1,0 +1,38 @@
+// One short flight of a small swarm with faults in it.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "bench/faults/breach_watch.hpp"
+#include "controller/flight/prepare.hpp"
+#include "controller/scenario/scenario.hpp"
+#include "core/result.hpp"
+
+namespace mayfly::bench {
+
+// What all flights share; read only, from any thread.
+struct FaultWorld {
+  Scenario scenario;
+  std::unique_ptr<const Prepared> ready;
+  PromisedLimits limits;
+};
+Result<FaultWorld> make_fault_world();
+
+struct FaultFlight {
+  BreachCounts breaches{};
+  double least_gap = 0.0;  // m
+  std::uint64_t hash = 0;
+  bool hung = false;  // it ended early, or ticks are missing that no fault took
+  // Of each fault, s from its begin: when its symptom was reported, and when all whom the reaction stops were
+  // told to stand still. Empty: not within the flight.
+  std::vector<std::optional<double>> seen_after, stopped_after;
+};
+
+// Faults begin and end at times of chance, and strike robots of chance: all from `seed`.
+Result<FaultFlight> fly_with_faults(const FaultWorld& world, const std::vector<FaultKind>& kinds,
+                                    std::uint64_t seed);
+
+}  // namespace mayfly::bench

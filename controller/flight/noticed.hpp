@@ -1,0 +1,21 @@
+// How soon what goes wrong is noticed: a scenario's faults beside the events of its flight.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "controller/flight/summary.hpp"
+#include "controller/scenario/scenario.hpp"
+
+namespace mayfly {
+
+// s from the fault's begin to the first event that tells of its symptom, of one whom it strikes or of
+// everybody; empty where there is none.
+std::optional<double> noticed_after(const Scenario& scenario, const FaultSpec& fault,
+                                    const std::vector<FaultEvent>& events);
+
+// The longest of all faults of the kind; empty where one was not noticed, or there is none.
+std::optional<double> noticed_after(const Scenario& scenario, FaultKind kind,
+                                    const std::vector<FaultEvent>& events);
+
+}  // namespace mayfly
