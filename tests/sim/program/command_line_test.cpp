@@ -48,7 +48,7 @@ TEST(CommandLine, UnknownCommandsSayWhatThereIs) {
   EXPECT_THAT(run_program({"chekc"}).error, HasSubstr("did you mean 'check'?"));
   const Outcome later = run_program({"plan", "x.yaml"});
   EXPECT_EQ(later.exit_code, 2);
-  EXPECT_THAT(later.error, HasSubstr("not available yet: 'plan'; wanted run, check, doctor or bench"));
+  EXPECT_THAT(later.error, HasSubstr("not available yet: 'plan'; wanted run, check, guard, doctor or bench"));
 }
 
 TEST(CommandLine, AMissingFileIsNamed) {
