@@ -164,7 +164,7 @@ bool refuse_unknown_command(int argc, const char* const* argv) {
     return false;
   }
   const std::string word = argv[1];
-  const std::vector<std::string> there{"run", "check", "test", "doctor", "bench", "guard"};
+  const std::vector<std::string> there{"run", "check", "test", "guard", "doctor", "bench"};
   const std::array<std::string_view, 3> later{"plan", "emulate", "view"};
   if (std::find(there.begin(), there.end(), word) != there.end()) {
     return false;
