@@ -131,7 +131,8 @@ TEST(Warnings, ObstacleNarrowerThanACell) {
 }
 
 TEST(Warnings, SeparationBelowTwoRadii) {
-  const auto result = test::load_text(with_key("radius: 0.15\n    governor: off\n    limits: {separation: 0.2}"));
+  const auto result =
+      test::load_text(with_key("radius: 0.15\n    governor: off\n    limits: {separation: 0.2}"));
   ASSERT_TRUE(result);
   ASSERT_EQ(result->warnings.size(), 1U);
   EXPECT_THAT(to_string(result->warnings[0]), HasSubstr("less than two radii"));
@@ -155,7 +156,9 @@ TEST(Limits, OfTheGovernorHaveHarmlessDefaults) {
 TEST(Separation, IsAtLeastTwoRadiiWhereNobodySays) {
   EXPECT_FLOAT_EQ(swarm_of(with_key("radius: 0.05")).limits.separation, 0.2F);
   EXPECT_FLOAT_EQ(swarm_of(with_key("radius: 0.15")).limits.separation, 0.3F);
-  EXPECT_FLOAT_EQ(swarm_of(with_key("radius: 0.15\n    governor: off\n    limits: {separation: 0.1}")).limits.separation, 0.1F);
+  EXPECT_FLOAT_EQ(
+      swarm_of(with_key("radius: 0.15\n    governor: off\n    limits: {separation: 0.1}")).limits.separation,
+      0.1F);
 }
 
 TEST(Hals, SwarmMustSayWhichOfTwo) {
