@@ -95,8 +95,8 @@ Result<void> add_avoidance(const GovernorPlan& plan, Wishes wishes, const std::s
                          .less_is_better = false,
                          .baseline = "ORCA alone",
                          .baseline_value = kSeparation + alone->least_gap});
-  const auto clear_share = [](const TrialResult& trial) {
-    return 1.0 - static_cast<double>(trial.near_samples) / static_cast<double>(trial.samples);
+  const auto clear_share = [](const TrialResult& flown) {
+    return 1.0 - static_cast<double>(flown.near_samples) / static_cast<double>(flown.samples);
   };
   report.rows.push_back({.key = key + "_clear",
                          .what = "  share of the samples in which no bodies overlap",
