@@ -13,6 +13,7 @@
 #include "bench/faults/matrix.hpp"
 #include "bench/fields/measure.hpp"
 #include "bench/forces/measure.hpp"
+#include "bench/governor/measure.hpp"
 #include "bench/noise/report.hpp"
 #include "controller/scenario/suggest.hpp"
 #include "record/output_file.hpp"
@@ -101,6 +102,18 @@ BenchResult bench_faults(const BenchOptions& options, const Progress& progress) 
   return Findings{options.json ? to_json(*matrix) : to_text(*matrix), {}};
 }
 
+BenchResult bench_governor(const BenchOptions& options, const Progress& progress) {
+  mayfly::bench::GovernorPlan plan;
+  plan.attack_s = options.duration_s > 0.0 ? options.duration_s : plan.attack_s;
+  plan.goals_s = std::min(plan.goals_s, plan.attack_s);
+  plan.progress = progress;
+  const auto report = mayfly::bench::measure_governor(plan);
+  if (!report) {
+    return tl::unexpected(std::vector{report.error()});
+  }
+  return findings_of(*report, options);
+}
+
 struct Benchmark {
   std::string name;
   std::string_view does;
@@ -112,6 +125,7 @@ const std::array kBenchmarks{
     Benchmark{"fields", "The field core: engines, solvers, how time grows (Wang14, sections 5 to 7)",
               bench_fields},
     Benchmark{"forces", "The force core: forces, collision avoidance, neighbours (BSwarm15)", bench_forces},
+    Benchmark{"governor", "The governor under attack, what it costs in progress and in time", bench_governor},
     Benchmark{"noise", "Perlin, random and curl noise in three models (Wang14, section 7.1)", bench_noise}};
 
 int list_benchmarks() {

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <filesystem>
+#include <system_error>
 
 #include "app/exit_code.hpp"
 #include "app/flight_line.hpp"
@@ -16,6 +18,8 @@
 #include "app/wiring.hpp"
 #include "controller/flight/prepare.hpp"
 #include "controller/scenario/load.hpp"
+#include "record/black_box_csv.hpp"
+#include "record/output_file.hpp"
 #include "simulate/robots.hpp"
 #include "simulate/sabotage.hpp"
 
@@ -80,6 +84,32 @@ Result<OwnRobots> own_robots(const RunOptions& options, const Scenario& scenario
   return robots;
 }
 
+// Beside the recording, else below out/: something went wrong, and nobody had asked for a file.
+std::filesystem::path tape_path(const RunOptions& options, const Scenario& scenario) {
+  std::filesystem::path path = options.record;
+  if (path.empty()) {
+    path = std::filesystem::path("out") / scenario.name;
+  }
+  path.replace_extension(".blackbox.csv");
+  return path;
+}
+
+void keep_tape(const RunOptions& options, const Scenario& scenario, const Hal& robots,
+               const BlackBoxTape& tape) {
+  const std::filesystem::path path = tape_path(options, scenario);
+  std::vector<std::string> names;
+  for (const RobotInfo& robot : robots.robots()) {
+    names.push_back(robot.name);
+  }
+  std::error_code ignored;  // where there is no folder, writing says so
+  std::filesystem::create_directories(path.parent_path(), ignored);
+  if (auto written = record::write_file(path, record::black_box_csv(tape, names)); !written) {
+    print_errors(std::span(&written.error(), 1));
+  } else {
+    log_warning(fmt::format("the guard's last seconds before it had to act are in '{}'", path.string()));
+  }
+}
+
 // From here on everything is ready, and Ctrl-C stops the swarm instead of the program.
 int fly_and_tell(const RunOptions& options, const Scenario& scenario, const Prepared& ready,
                  ProgressLine& line) {
@@ -116,6 +146,9 @@ int fly_and_tell(const RunOptions& options, const Scenario& scenario, const Prep
         .stop = sabotage.stop(),
         .gauge = &gauge,
         .guard = robots->guard ? &robots->guard->port() : nullptr,
+        // Another process keeps its own.
+        .keep_tape =
+            [&](const BlackBoxTape& tape) { keep_tape(options, scenario, *robots->simulated.hal, tape); },
     });
   }();
   const std::string guard_failed = robots->guard ? robots->guard->how_it_failed() : "";

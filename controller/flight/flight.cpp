@@ -106,6 +106,9 @@ Result<Summary> fly(const FlightParts& parts) {
   if (!flown) {
     return fail(flown.error());
   }
+  if (const BlackBoxTape* tape = guard.tape(); tape != nullptr && parts.keep_tape) {
+    parts.keep_tape(*tape);
+  }
   std::vector<AgeStats> ages;
   if (beside) {
     ages = {beside->estimate_ages(), beside->plan_ages()};

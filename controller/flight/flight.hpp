@@ -3,6 +3,7 @@
 
 #include <atomic>
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <string>
 
@@ -47,6 +48,8 @@ struct FlightParts {
   FlightGauge* gauge = nullptr;
   // Where the guard is somewhere else (another process): then `hal` is not touched, but for its name.
   GuardPort* guard = nullptr;
+  // Called when all is over, where the guard's black box has kept something (docs/explanation/guard.md).
+  std::function<void(const BlackBoxTape&)> keep_tape{};
 };
 
 // Flies the scenario to its end. An error means that nothing flew (the HAL refused); faults in flight are in

@@ -1,6 +1,7 @@
 #include "controller/flight/flight_config.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "controller/flight/motion_questions.hpp"
 #include "controller/flight/swarm_cost.hpp"
@@ -34,6 +35,9 @@ GovernorConfig governor_config(const Scenario& scenario, const World& world, con
   GovernorConfig config;
   config.period = from_seconds(1.0 / static_cast<double>(scenario.control.rate));
   config.fence = scenario.world.bounds;
+  for (const PlaneSpec& plane : scenario.world.fence) {
+    config.half_spaces.push_back({plane.normal, plane.offset});
+  }
   config.obstacles = obstacle_view(world, motion);
   std::size_t first = 0;
   for (const SwarmSpec& swarm : scenario.swarms) {
@@ -43,7 +47,12 @@ GovernorConfig governor_config(const Scenario& scenario, const World& world, con
     group.enabled = swarm.governor;
     group.limits.speed = swarm.limits.speed;
     group.limits.acceleration = swarm.limits.acceleration;
-    group.limits.braking = swarm.limits.acceleration;
+    group.limits.braking = swarm.limits.braking;
+    group.limits.tube = swarm.limits.tube;
+    group.limits.watchdog = swarm.limits.watchdog;
+    group.limits.downwash = swarm.limits.downwash;
+    group.limits.latency = static_cast<int>(std::ceil(swarm.limits.latency * scenario.control.rate - 1e-3F));
+    group.separation = swarm.limits.separation;
     group.limits.radius = swarm.radius;
     group.limits.response_time = response_time(scenario, swarm);
     group.limits.follows = follows(scenario, swarm);

@@ -60,6 +60,9 @@ Result<void> Governor::admit_robot(std::size_t i) {
 
 Result<void> Governor::admit_pairs(std::size_t i) {
   const Claim& mine = fleet_.claim(i);
+  if (!mine.present) {
+    return {};
+  }
   for (const std::uint32_t j : fleet_.near(i)) {
     const Claim& other = fleet_.claim(j);
     const double rest_time = fleet_.group_of(i).rest_time(length3(glm::dvec3(fleet_.robot(i).sent)));

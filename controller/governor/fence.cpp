@@ -27,6 +27,25 @@ bool Fence::holds(const Hull& wanted, const Hull& braking, double kept) const no
   return true;
 }
 
+// Away from the nearest plane, by ever smaller steps (a subgradient method).
+double Fence::room_from(glm::dvec3 place) const noexcept {
+  constexpr int kSteps = 2000;
+  double step = 0.25 * (planes_[0].offset + planes_[1].offset);  // the box's first side
+  double best = depth(place);
+  for (int n = 0; n < kSteps; ++n) {
+    const Plane* nearest = &planes_.front();
+    for (const Plane& plane : planes_) {
+      const bool nearer =
+          plane.offset - dot3(plane.normal, place) < nearest->offset - dot3(nearest->normal, place);
+      nearest = nearer ? &plane : nearest;
+    }
+    place -= step * nearest->normal;
+    step *= 0.995;
+    best = std::max(best, depth(place));
+  }
+  return best;
+}
+
 double Fence::depth(glm::dvec3 place) const noexcept {
   double least = std::numeric_limits<double>::infinity();
   for (const Plane& plane : planes_) {

@@ -18,6 +18,8 @@ class Fence {
   bool holds(const Hull& wanted, const Hull& braking, double kept) const noexcept;
   // m: how far a place is from the border; negative outside.
   double depth(glm::dvec3 place) const noexcept;
+  // m: the greatest depth that is found from `place` on, a little less than there is.
+  double room_from(glm::dvec3 place) const noexcept;
 
  private:
   struct Plane {

@@ -152,7 +152,12 @@ void Fleet::reserve_braking(std::size_t i) noexcept {
     return;
   }
   FleetRobot& robot = robots_[i];
-  robot.braking = hull_of(i, brake(glm::dvec3(robot.reference.velocity()), group_of(i).braking.step()));
+  const Braking& braking = group_of(i).braking;
+  const glm::dvec3 velocity(robot.reference.velocity());
+  robot.braking = hull_of(i, brake(velocity, braking.step()));
+  if (braking.watchdog > 0.0) {  // it may not hear that it is to brake
+    robot.braking.add(robot.reference.lead() + way_to_rest(velocity, braking));
+  }
   claims_[i] = claim_of(i, robot.braking);
 }
 

@@ -15,6 +15,12 @@ double stopping_distance(double speed, const Braking& braking) noexcept {
                      : 0.0;
 }
 
+glm::dvec3 way_to_rest(glm::dvec3 velocity, const Braking& braking) noexcept {
+  const double speed = length3(velocity);
+  return speed > 0.0 ? stopping_way(velocity, speed, braking.deceleration, braking.period, braking.watchdog)
+                     : glm::dvec3(0.0);
+}
+
 Hull Hull::shifted(glm::dvec3 way) const noexcept {
   Hull hull;
   for (const glm::dvec3& point : points()) {
@@ -33,10 +39,7 @@ double Hull::least_along(glm::dvec3 n) const noexcept {
 
 void add_command(Hull& hull, glm::dvec3 position, glm::dvec3 velocity, glm::dvec3 command,
                  const Braking& braking) noexcept {
-  const double speed = length3(command);
-  const glm::dvec3 stop =
-      speed > 0.0 ? stopping_way(command, speed, braking.deceleration, braking.period, braking.watchdog)
-                  : glm::dvec3(0.0);
+  const glm::dvec3 stop = way_to_rest(command, braking);
   const glm::dvec3 linear = position + 0.5 * braking.period * (velocity + command);
   const glm::dvec3 at_once = position + braking.period * command;
   hull.add(position);

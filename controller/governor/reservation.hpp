@@ -27,12 +27,15 @@ glm::dvec3 brake(glm::dvec3 velocity, double step) noexcept;
 // d(v) = |v|·t_w + |v|²/(2a_b) + a_b·T²/8 (0 if v = 0): how far the robot may still go, m.
 double stopping_distance(double speed, const Braking& braking) noexcept;
 
-// The way to where it rests, m.
+// The way to where it rests, m; `speed` is not zero.
 template <class S>
 Vec3<S> stopping_way(const Vec3<S>& velocity, S speed, S deceleration, S period, S watchdog) {
   return velocity *
          (watchdog + speed / (S(2.0) * deceleration) + deceleration * period * period / (S(8.0) * speed));
 }
+
+// The same of any velocity.
+glm::dvec3 way_to_rest(glm::dvec3 velocity, const Braking& braking) noexcept;
 
 // How many points a command adds to a tail: the position, two ends of the tick and two stops.
 inline constexpr std::size_t kCommandPoints = 5;
@@ -47,8 +50,8 @@ class Hull {
   double least_along(glm::dvec3 n) const noexcept;
 
  private:
-  // A body, the leads of the latency, and a command's.
-  std::array<glm::dvec3, 1 + kMostLatency + kCommandPoints> points_{};
+  // A body, the leads of the latency, a command's, and a stop without one.
+  std::array<glm::dvec3, 1 + kMostLatency + kCommandPoints + 1> points_{};
   std::size_t count_ = 0;
 };
 

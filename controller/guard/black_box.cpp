@@ -10,8 +10,8 @@ std::size_t frames_for(const BlackBoxConfig& config, Time period, std::size_t ro
   const double wanted = std::ceil(config.seconds / std::max(to_seconds(period), 1e-6));
   // Two tapes.
   const std::size_t frame_bytes = 2 * (sizeof(BlackBoxFrame) + robots * sizeof(BlackBoxRow));
-  const auto fit = static_cast<double>(config.most_bytes / frame_bytes);
-  return static_cast<std::size_t>(std::max(1.0, std::min(wanted, fit)));
+  const std::size_t fit = config.most_bytes / frame_bytes;
+  return static_cast<std::size_t>(std::max(1.0, std::min(wanted, static_cast<double>(fit))));
 }
 
 }  // namespace

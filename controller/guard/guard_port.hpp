@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "controller/guard/black_box.hpp"
 #include "controller/guard/guard_report.hpp"
 #include "core/hal.hpp"
 
@@ -33,6 +34,8 @@ class GuardPort : public Hal {
   // For the summary, when all is over.
   virtual GuardReport report() const = 0;
   virtual std::vector<GuardEvent> events() const = 0;
+  // The last seconds before something went wrong first; null where nothing did, or where another keeps it.
+  virtual const BlackBoxTape* tape() const noexcept { return nullptr; }
 };
 
 }  // namespace mayfly

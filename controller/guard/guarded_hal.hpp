@@ -32,6 +32,8 @@ class GuardedHal final : public GuardPort {
     return {guard_->events().begin(), guard_->events().end()};
   }
 
+  const BlackBoxTape* tape() const noexcept override { return guard_->black_box().sealed(); }
+
   // From configure() on.
   Guard& guard() noexcept { return *guard_; }
 

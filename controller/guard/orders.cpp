@@ -49,16 +49,14 @@ void Orders::order(const Tick& tick, std::size_t robot) noexcept {
     set(robot, Authority::kAbsent, Ending::kHold);
   } else if (severity >= Severity::kCut) {
     set(robot, Authority::kForeign, Ending::kStop);
-  } else if (!is_armed(state)) {
+  } else if (!is_armed(state) || (severity < Severity::kHold && state != RobotState::kLanding)) {
     obey(tick, robot);
   } else if (severity >= Severity::kLand || state == RobotState::kLanding) {
     land(tick, robot);
   } else if (tick.symptoms[robot].has(Symptom::kSilent)) {
     set(robot, Authority::kSilent, Ending::kHold);
-  } else if (severity >= Severity::kHold) {
-    set(robot, Authority::kBraking, Ending::kHold);
   } else {
-    obey(tick, robot);
+    set(robot, Authority::kBraking, Ending::kHold);
   }
 }
 

@@ -12,6 +12,7 @@
 namespace mayfly {
 namespace {
 
+constexpr float kMostLatencyTicks = 8.0F;  // as the governor's
 constexpr long long kMaxAgents = 2'000'000;
 
 NoiseSpec build_noise(const Values& noise, Findings& findings) {
@@ -53,8 +54,17 @@ CostSpec build_cost(const Values& cost, float cell) {
 
 LimitsSpec build_limits(const Values& limits, float radius) {
   constexpr float kLeastSeparation = 0.2F;  // m
-  return {limits.number_f("speed"), limits.number_f("acceleration"),
-          limits.maybe_number("separation").value_or(std::max(kLeastSeparation, 2.0F * radius))};
+  LimitsSpec spec;
+  spec.speed = limits.number_f("speed");
+  spec.acceleration = limits.number_f("acceleration");
+  spec.braking = limits.maybe_number("braking").value_or(spec.acceleration);
+  spec.tube = limits.number_f("tube");
+  spec.latency = limits.number_f("latency");
+  spec.watchdog = limits.number_f("watchdog");
+  spec.downwash = limits.number_f("downwash");
+  spec.separation =
+      limits.maybe_number("separation").value_or(std::max(kLeastSeparation, 2.0F * (radius + spec.tube)));
+  return spec;
 }
 
 // Of the region made `factor` times as long each way.
@@ -116,12 +126,43 @@ void check_speeds(const Values& values, const SwarmSpec& swarm, Findings& findin
         fmt::format("cruise_speed {:g} and limits.speed {:g}", swarm.cruise_speed, swarm.limits.speed),
         "a cruise speed of at most the limit");
   }
-  if (swarm.limits.separation < 2.0F * swarm.radius) {
+  if (swarm.limits.separation < 2.0F * swarm.radius && !swarm.governor) {
     findings.warn(
         values.has("limits") ? values.map("limits").mark("separation") : values.mark("name"),
         fmt::format(
             "swarm '{}': a separation of {:g} m is less than two radii ({:g} m), so that bodies may touch",
             swarm.name, swarm.limits.separation, 2.0F * swarm.radius));
+  }
+}
+
+// What the governor would refuse, where the file says it.
+void check_governed(const Values& values, const SwarmSpec& swarm, float rate, Findings& findings) {
+  const LimitsSpec& limits = swarm.limits;
+  if (limits.braking > limits.acceleration) {
+    findings.error(values.map("limits").mark("braking"), "nobody brakes harder than it accelerates",
+                   fmt::format("braking {:g} m/s²", limits.braking),
+                   fmt::format("<= acceleration = {:g} m/s²", limits.acceleration));
+  }
+  if (!swarm.governor) {
+    return;
+  }
+  if (limits.latency * rate > kMostLatencyTicks) {
+    findings.error(values.map("limits").mark("latency"), "the latency is too long to be governed",
+                   fmt::format("{:g} s, {:g} control periods", limits.latency, limits.latency * rate),
+                   fmt::format("at most {:g} control periods", kMostLatencyTicks));
+  }
+  const float least = 2.0F * (swarm.radius + limits.tube);
+  if (limits.separation > 0.0F && limits.separation < least * (1.0F - 1e-6F)) {
+    findings.error(
+        values.map("limits").mark("separation"), "the separation is below what the governor keeps",
+        fmt::format("{:g} m", limits.separation),
+        fmt::format(">= 2 · (radius {:g} + tube {:g}) = {:g} m", swarm.radius, limits.tube, least));
+  } else if (limits.separation > 0.0F && limits.speed * limits.watchdog > limits.separation) {
+    findings.error(values.map("limits").mark("watchdog"),
+                   "a robot that hears nothing flies on for more than the separation",
+                   fmt::format("speed {:g} · watchdog {:g} = {:g} m", limits.speed, limits.watchdog,
+                               limits.speed * limits.watchdog),
+                   fmt::format("<= separation = {:g} m", limits.separation));
   }
 }
 
@@ -185,6 +226,7 @@ SwarmSpec build_swarm(const Values& values, const Scenario& scenario, const File
   build_goal(values, scenario, swarm, findings);
   check_roaming(values, swarm, scenario.world.goals, findings);
   check_speeds(values, swarm, findings);
+  check_governed(values, swarm, scenario.control.rate, findings);
   const Box& bounds = scenario.world.bounds;
   if (has_start && bounds.min.x < bounds.max.x && bounds.min.y < bounds.max.y &&
       bounds.min.z < bounds.max.z) {

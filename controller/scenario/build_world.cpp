@@ -61,6 +61,22 @@ fields::Shape build_half_space(const Values& values, Findings& findings) {
                                 values.number_f("offset")};
 }
 
+std::vector<PlaneSpec> build_fence(const Values& world, Findings& findings) {
+  std::vector<PlaneSpec> fence;
+  const YamlNode* planes = world.node("fence");
+  for (std::size_t n = 0; planes != nullptr && n < planes->items.size(); ++n) {
+    const Values values = world.element("fence", planes->items[n]);
+    const glm::vec3 normal = values.vector("normal");
+    const float length = glm::length(normal);
+    if (length < 1e-6F) {
+      findings.error(values.mark("normal"), "this normal has no direction", "", "a vector that is not zero");
+      continue;
+    }
+    fence.push_back({normal / length, values.number_f("offset")});
+  }
+  return fence;
+}
+
 // A nested grid's coarse cells must be made of whole fine ones.
 void check_coarse_cell(const Values& world, const WorldSpec& spec, Findings& findings) {
   constexpr double kRounding = 1e-4;  // of the two sides, as they are written
@@ -164,6 +180,7 @@ WorldSpec build_world(const Values& world, const FileRoots& roots, Findings& fin
   spec.bounds = build_box(world.map("bounds"), findings);
   spec.cell = world.number_f("cell");
   const bool has_bounds = findings.errors.size() == errors_before;
+  spec.fence = build_fence(world, findings);
   spec.coarse_cell = world.maybe_number("coarse_cell");
   if (spec.coarse_cell) {
     check_coarse_cell(world, spec, findings);

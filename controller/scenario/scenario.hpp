@@ -53,9 +53,15 @@ struct BrushSpec {
   Place place;
 };
 
+struct PlaneSpec {                     // robots stay where normal · x <= offset
+  glm::vec3 normal{0.0F, 0.0F, 1.0F};  // unit
+  float offset = 0.0F;                 // m
+};
+
 struct WorldSpec {
   Box bounds;
-  float cell = 1.0F;  // m
+  std::vector<PlaneSpec> fence;  // of the governor, besides the bounds
+  float cell = 1.0F;             // m
   // m, a whole multiple of `cell`. Given: a nested grid, with cells of `cell` near obstacles and goals and of
   // this side elsewhere.
   std::optional<float> coarse_cell{};
@@ -94,6 +100,11 @@ struct LimitsSpec {
   float speed = 3.0F;          // m/s
   float acceleration = 20.0F;  // m/s²
   float separation = 0.2F;     // m, the minimum distance that MDE keeps
+  float braking = 20.0F;       // m/s², at most the acceleration
+  float tube = 0.0F;           // m, by which a robot may be off its reference
+  float latency = 0.0F;        // s, the most
+  float watchdog = 0.0F;       // s that a robot flies on unheard
+  float downwash = 1.0F;
 };
 
 struct SwarmSpec {

@@ -126,8 +126,53 @@ void add_limit_rows(Rows& rows, const std::string& path) {
                   .unit = "m",
                   .min = 0.0,
                   .max = 1000.0,
-                  .fallback_text = "0.2, or two radii where they are more",
-                  .text = "The least distance of two agents' centres; below two radii, bodies touch."});
+                  .fallback_text = "0.2, or two radii and tubes where they are more",
+                  .text =
+                      "The least distance of two agents' centres, as the planner keeps it; below two radii "
+                      "and two tubes the governor keeps more, and the scenario is refused."});
+}
+
+void add_governor_rows(Rows& rows, const std::string& path) {
+  rows.push_back({.path = path + ".braking",
+                  .type = KeyType::kNumber,
+                  .unit = "m/s²",
+                  .min = 0.0,
+                  .max = 1e5,
+                  .above_min = true,
+                  .fallback_text = "the acceleration",
+                  .text = "What the governor counts on for stopping; at most the acceleration."});
+  rows.push_back({.path = path + ".tube",
+                  .type = KeyType::kNumber,
+                  .unit = "m",
+                  .min = 0.0,
+                  .max = 100.0,
+                  .fallback = "0",
+                  .text = "How far a robot may be from where the governor takes it to be: pose noise and "
+                          "tracking. Kept from everything besides the radius, and watched; 0 does neither."});
+  rows.push_back(
+      {.path = path + ".latency",
+       .type = KeyType::kNumber,
+       .unit = "s",
+       .min = 0.0,
+       .max = 1.0,
+       .fallback = "0",
+       .text = "A command takes effect after this time at the latest; at most 8 control periods."});
+  rows.push_back({.path = path + ".watchdog",
+                  .type = KeyType::kNumber,
+                  .unit = "s",
+                  .min = 0.0,
+                  .max = 100.0,
+                  .fallback = "0",
+                  .text =
+                      "How long a robot flies on when it hears nothing, before it brakes by itself: room is "
+                      "kept for that. At most what it flies over a separation in."});
+  rows.push_back({.path = path + ".downwash",
+                  .type = KeyType::kNumber,
+                  .min = 1.0,
+                  .max = 100.0,
+                  .fallback = "1",
+                  .text = "Two robots above each other keep this many times the distance of two beside each "
+                          "other; about 3 for small multirotors."});
 }
 
 void add_body_rows(Rows& rows, const std::string& at) {
@@ -224,6 +269,7 @@ void add_swarm_rows(Rows& rows) {
                   .fallback_text = "one cell",
                   .text = "From this distance on, obstacles no longer bend the noise (Wang14's d0)."});
   add_limit_rows(rows, at + ".limits");
+  add_governor_rows(rows, at + ".limits");
   add_body_rows(rows, at);
 }
 

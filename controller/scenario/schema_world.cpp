@@ -90,6 +90,29 @@ void add_world_rows(Rows& rows) {
                   .max = kFarthest,
                   .required = true,
                   .text = "The corner with the largest coordinates, larger than `min` in all three."});
+  rows.push_back(
+      {.path = "world.fence",
+       .type = KeyType::kList,
+       .max = 100,
+       .fallback = "[]",
+       .text = "Planes that robots under the governor stay on one side of, besides the bounds: what is "
+               "left is convex."});
+  rows.push_back({.path = "world.fence[]",
+                  .type = KeyType::kMap,
+                  .text = "One plane: robots stay where normal · x <= offset."});
+  rows.push_back({.path = "world.fence[].normal",
+                  .type = KeyType::kVector,
+                  .min = -1e6,
+                  .max = 1e6,
+                  .required = true,
+                  .text = "Points out of the fence; its length does not matter."});
+  rows.push_back({.path = "world.fence[].offset",
+                  .type = KeyType::kNumber,
+                  .unit = "m",
+                  .min = -kFarthest,
+                  .max = kFarthest,
+                  .required = true,
+                  .text = "How far along the normal the plane is from the origin."});
   rows.push_back({.path = "world.cell",
                   .type = KeyType::kNumber,
                   .unit = "m",

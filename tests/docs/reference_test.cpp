@@ -87,11 +87,13 @@ TEST(Reference, BenchPageHasEveryKeyOfTheJson) {
   const auto fields = run_program({"bench", "fields", "--json", "--agents", "1024"});
   const auto forces = run_program({"bench", "forces", "--json", "--agents", "1000"});
   const auto faults = run_program({"bench", "faults", "--json", "--seeds", "1"});
+  const auto governor = run_program({"bench", "governor", "--json", "--duration", "1"});
   Names keys, without_spread;
   add_keys(nlohmann::json::parse(faults.out), "", keys);
   add_keys(nlohmann::json::parse(noise.out), "", keys);
   add_keys(nlohmann::json::parse(fields.out), "", keys);
   add_keys(nlohmann::json::parse(forces.out), "", keys);
+  add_keys(nlohmann::json::parse(governor.out), "", keys);
   // A measure's spread, and the names of a figure's lines.
   static const std::regex kSpread(R"((\.(mean|least|most)|(\.lines)\..*)$)");
   for (const std::string& key : keys) {

@@ -279,6 +279,29 @@ TEST(GovernorReasons, ShortColumnsAreRefusedAndEveryRobotHolds) {
   }
 }
 
+TEST(GovernorReasons, ShortRowsOfAnyKindAreRefused) {
+  for (int row = 0; row < 4; ++row) {
+    Rig rig(default_config(3));
+    row == 0   ? rig.known.pop_back()
+    : row == 1 ? rig.kind.pop_back()
+    : row == 2 ? rig.authority.pop_back()
+               : rig.symptoms.pop_back();
+    rig.tick();
+    EXPECT_EQ(rig.governor.counters().refused_calls, 1U) << row;
+  }
+  Rig rig(default_config(1));  // nobody asks for symptoms, and all are governed
+  rig.symptoms.clear();
+  rig.authority.clear();
+  rig.tick({0.01F, 0, 0});
+  EXPECT_EQ(rig.governor.counters().refused_calls, 0U);
+}
+
+TEST(GovernorReasons, AnOverSpeedStartThatWantsToBrakeIsLeftAlone) {
+  Rig rig = cruising(3.0F);
+  EXPECT_NEAR(rig.tick({2.96F, 0, 0}).x, 2.96F, 1e-6F);
+  EXPECT_EQ(rig.interventions(), 1U);  // the wish is above the limit all the same
+}
+
 TEST(GovernorReasons, NoAgentsIsNoWork) {
   GovernorConfig config = default_config(0);
   Rig rig(config);
@@ -328,6 +351,11 @@ TEST(GovernorConfig, ContradictionsAreRefused) {
   }));
   float nothing = 0.0F;
   EXPECT_TRUE(refused([&](auto& c) { c.obstacles.sampled = {&nothing, Grid{}}; }));
+  for (const glm::ivec3 cells : {glm::ivec3(0, 1, 1), glm::ivec3(1, 0, 1), glm::ivec3(1, 1, 0)}) {
+    EXPECT_TRUE(refused([&](auto& c) {
+      c.obstacles.sampled = {&nothing, Grid{glm::vec3(0.0F), 1.0F, cells}};
+    }));
+  }
 }
 
 }  // namespace

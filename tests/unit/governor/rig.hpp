@@ -46,6 +46,15 @@ class Rig {
   glm::vec3 command(std::size_t i) const { return {ox[i], oy[i], oz[i]}; }
   GovernorState state() const { return {x, y, z, vx, vy, vz, known, authority}; }
   void tick() { governor.govern(now, state(), {wx, wy, wz}, {kind, ox, oy, oz, symptoms}); }
+  // Moves an agent to where its command takes it by the next tick.
+  void fly(std::size_t i) {
+    const GovernorReference at = governor.reference(i);
+    const ReferenceModel model{0.01, 4.0, 0.0};
+    Reference robot(0);
+    robot.adopt(at.body, at.velocity, model);
+    robot.advance(command(i), model);
+    place(i, glm::vec3(robot.body()), command(i));
+  }
   // One tick of agent 0.
   glm::vec3 tick(glm::vec3 desired) {
     now += 10ms;

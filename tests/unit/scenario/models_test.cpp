@@ -84,8 +84,9 @@ TEST(Models, OnlyForcesAndOrcaAvoidCollisionsUnlessTold) {
 }
 
 TEST(Models, RangeIsWhereTwoCouldMeetWithinTheHorizon) {
-  const SwarmSpec swarm = swarm_of_text(
-      insects("    limits: {speed: 2, separation: 0.1}\n    radius: 0.2\n    avoidance: {horizon: 3}\n"));
+  const SwarmSpec swarm =
+      swarm_of_text(insects("    limits: {speed: 2, separation: 0.1}\n    governor: off\n    radius: 0.2\n   "
+                            " avoidance: {horizon: 3}\n"));
   EXPECT_FLOAT_EQ(swarm.avoidance.range, 0.4F + 2.0F * 2.0F * 3.0F);
   EXPECT_FLOAT_EQ(swarm_of_text(insects("    avoidance: {range: 5}\n")).avoidance.range, 5.0F);
 }

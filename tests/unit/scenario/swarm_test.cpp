@@ -131,17 +131,34 @@ TEST(Warnings, ObstacleNarrowerThanACell) {
 }
 
 TEST(Warnings, SeparationBelowTwoRadii) {
-  const auto result = test::load_text(with_key("radius: 0.15\n    limits: {separation: 0.2}"));
+  const auto result =
+      test::load_text(with_key("radius: 0.15\n    governor: off\n    limits: {separation: 0.2}"));
   ASSERT_TRUE(result);
   ASSERT_EQ(result->warnings.size(), 1U);
   EXPECT_THAT(to_string(result->warnings[0]), HasSubstr("less than two radii"));
   EXPECT_TRUE(test::load_text(with_key("radius: 0.1\n    limits: {separation: 0.2}"))->warnings.empty());
 }
 
+TEST(Separation, HasRoomForTubesWhereNobodySays) {
+  EXPECT_FLOAT_EQ(swarm_of(with_key("radius: 0.15\n    limits: {tube: 0.05}")).limits.separation, 0.4F);
+  EXPECT_FLOAT_EQ(swarm_of(with_key("radius: 0.15\n    limits: {separation: 0.3}")).limits.separation, 0.3F);
+}
+
+TEST(Limits, OfTheGovernorHaveHarmlessDefaults) {
+  const LimitsSpec limits = swarm_of(with_key("limits: {acceleration: 7}")).limits;
+  EXPECT_EQ(limits.braking, 7.0F);
+  EXPECT_EQ(limits.tube, 0.0F);
+  EXPECT_EQ(limits.latency, 0.0F);
+  EXPECT_EQ(limits.watchdog, 0.0F);
+  EXPECT_EQ(limits.downwash, 1.0F);
+}
+
 TEST(Separation, IsAtLeastTwoRadiiWhereNobodySays) {
   EXPECT_FLOAT_EQ(swarm_of(with_key("radius: 0.05")).limits.separation, 0.2F);
   EXPECT_FLOAT_EQ(swarm_of(with_key("radius: 0.15")).limits.separation, 0.3F);
-  EXPECT_FLOAT_EQ(swarm_of(with_key("radius: 0.15\n    limits: {separation: 0.1}")).limits.separation, 0.1F);
+  EXPECT_FLOAT_EQ(
+      swarm_of(with_key("radius: 0.15\n    governor: off\n    limits: {separation: 0.1}")).limits.separation,
+      0.1F);
 }
 
 TEST(Hals, SwarmMustSayWhichOfTwo) {
