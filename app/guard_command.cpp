@@ -1,7 +1,10 @@
 #include "app/guard_command.hpp"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
+#include <algorithm>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <thread>
@@ -29,6 +32,19 @@ namespace {
 constexpr int kWishPeriods = 5;
 constexpr Time kLook = std::chrono::milliseconds(50);
 constexpr Time kNoEnd = std::chrono::hours(24 * 365);
+
+// Whoever started the planner may have left files open to it, and so to us: none is held while robots fly.
+void close_all_but(int one, int other) {
+  const auto [low, high] = std::minmax(one, other);
+  const auto close_between = [](int from, int to) {
+    if (from <= to) {
+      ::close_range(static_cast<unsigned>(from), static_cast<unsigned>(to), 0);
+    }
+  };
+  close_between(STDERR_FILENO + 1, low - 1);
+  close_between(std::max(STDERR_FILENO, low) + 1, high - 1);
+  close_between(std::max(STDERR_FILENO, high) + 1, std::numeric_limits<int>::max());
+}
 
 int refuse(std::span<const Error> errors) {
   print_errors(errors);
@@ -179,6 +195,7 @@ int tell(const GuardOptions& options, const link::LinkReport& report, Time epoch
 
 int guard(const GuardOptions& options) {
   set_up_log(options.verbose);
+  close_all_but(options.planner, options.segment);
   auto planner = link::ProcessWatch::adopt(options.planner);
   if (!planner) {
     return refuse(planner.error());

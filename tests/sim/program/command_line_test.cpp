@@ -49,7 +49,8 @@ TEST(CommandLine, UnknownCommandsSayWhatThereIs) {
   EXPECT_THAT(run_program({"chekc"}).error, HasSubstr("did you mean 'check'?"));
   const Outcome later = run_program({"plan", "x.yaml"});
   EXPECT_EQ(later.exit_code, 2);
-  EXPECT_THAT(later.error, HasSubstr("not available yet: 'plan'; wanted run, check, test, guard, doctor or bench"));
+  EXPECT_THAT(later.error,
+              HasSubstr("not available yet: 'plan'; wanted run, check, test, guard, doctor or bench"));
 }
 
 TEST(CommandLine, AMissingFileIsNamed) {
