@@ -30,7 +30,7 @@ swarms:
     count: 8
     start: {box: {min: [0.5, 0.5, 0.5], max: [5.5, 5.5, 2.5]}}
     goal: middle
-    limits: {speed: 2, acceleration: 4, separation: 0.3}
+    limits: {speed: 2, acceleration: 4, separation: 0.3, tube: 0.05}
     radius: 0.1
 control: {rate: 50}
 hal:
