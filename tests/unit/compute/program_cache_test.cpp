@@ -1,5 +1,6 @@
 // The cache only ever saves time: whatever happens to it, programs are built.
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <cstdlib>
 #include <filesystem>
@@ -19,7 +20,8 @@ class ProgramCache : public ::testing::Test {
  protected:
   void SetUp() override {
     const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
-    folder_ = fs::path(::testing::TempDir()) / (std::string("program_cache_") + test->name());
+    folder_ = fs::path(::testing::TempDir()) /
+              (std::string("program_cache_") + test->name() + "_" + std::to_string(::getpid()));
     fs::remove_all(folder_);
     old_ = std::getenv("MAYFLY_CACHE_DIR");
     setenv("MAYFLY_CACHE_DIR", folder_.c_str(), 1);

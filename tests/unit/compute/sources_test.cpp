@@ -1,6 +1,7 @@
 #include "compute/sources.hpp"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <cstdlib>
 #include <filesystem>
@@ -53,7 +54,8 @@ TEST(KernelSource, AnUnknownNameIsAnError) {
 }
 
 TEST(KernelSource, ComesFromDiskWhileDeveloping) {
-  const std::filesystem::path folder = std::filesystem::path(::testing::TempDir()) / "kernels_on_disk";
+  const std::filesystem::path folder =
+      std::filesystem::path(::testing::TempDir()) / ("kernels_on_disk_" + std::to_string(::getpid()));
   std::filesystem::create_directories(folder);
   std::ofstream(folder / "a.cl") << "// first; line\n#include \"kernels/b.h\"\nlast\n";
   std::ofstream(folder / "b.h") << "#include \"kernels/c.h\"\nof b\n#include \"kernels/c.h\"\n";

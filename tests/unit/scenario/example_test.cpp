@@ -1,5 +1,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
@@ -16,7 +17,8 @@ class Example : public testing::Test {
  protected:
   Example() {
     const auto* info = testing::UnitTest::GetInstance()->current_test_info();
-    folder_ = fs::path(testing::TempDir()) / (std::string("mayfly_example_") + info->name());
+    folder_ = fs::path(testing::TempDir()) /
+              (std::string("mayfly_example_") + info->name() + "_" + std::to_string(::getpid()));
     fs::remove_all(folder_);
     fs::create_directories(folder_ / "meshes");
     std::ofstream(folder_ / "meshes" / "block.obj") << "v 0 0 0\n";

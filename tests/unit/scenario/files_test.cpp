@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include <fstream>
 
@@ -19,7 +20,8 @@ class Files : public testing::Test {
  protected:
   Files() {
     const auto* info = testing::UnitTest::GetInstance()->current_test_info();
-    top_ = fs::canonical(testing::TempDir()) / (std::string("mayfly_files_") + info->name());
+    top_ = fs::canonical(testing::TempDir()) /
+           (std::string("mayfly_files_") + info->name() + "_" + std::to_string(::getpid()));
     fs::remove_all(top_);
     fs::create_directories(top_ / "outside");
     fs::create_directories(top_ / "project" / "meshes");
