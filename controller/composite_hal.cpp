@@ -8,15 +8,8 @@ namespace mayfly {
 namespace {
 
 StateColumns part(const StateColumns& s, std::size_t from, std::size_t n) noexcept {
-  return {s.x.subspan(from, n),
-          s.y.subspan(from, n),
-          s.z.subspan(from, n),
-          s.vx.subspan(from, n),
-          s.vy.subspan(from, n),
-          s.vz.subspan(from, n),
-          s.stamp.subspan(from, n),
-          s.valid.subspan(from, n),
-          s.telemetry.empty() ? s.telemetry : s.telemetry.subspan(from, n)};
+  return {s.x.subspan(from, n),  s.y.subspan(from, n),  s.z.subspan(from, n),     s.vx.subspan(from, n),
+          s.vy.subspan(from, n), s.vz.subspan(from, n), s.stamp.subspan(from, n), s.valid.subspan(from, n)};
 }
 
 CommandColumns part(const CommandColumns& c, std::size_t from, std::size_t n) noexcept {

@@ -17,9 +17,8 @@ bool long_enough(std::size_t size, const Columns&... columns) noexcept {
 }
 
 StateColumns first(std::size_t n, const StateColumns& s) noexcept {
-  return {s.x.first(n),     s.y.first(n),     s.z.first(n),
-          s.vx.first(n),    s.vy.first(n),    s.vz.first(n),
-          s.stamp.first(n), s.valid.first(n), s.telemetry.empty() ? s.telemetry : s.telemetry.first(n)};
+  return {s.x.first(n),  s.y.first(n),  s.z.first(n),     s.vx.first(n),
+          s.vy.first(n), s.vz.first(n), s.stamp.first(n), s.valid.first(n)};
 }
 
 bool is_finite(const CommandColumns& c, std::size_t robot) noexcept {
@@ -62,8 +61,7 @@ HalResult Hal::read(Time now, const StateColumns& states) noexcept {
   }
   const std::size_t size = kinds_.size();
   if (!long_enough(size, states.x, states.y, states.z, states.vx, states.vy, states.vz, states.stamp,
-                   states.valid) ||
-      (!states.telemetry.empty() && states.telemetry.size() < size)) {
+                   states.valid)) {
     return refuse_call(HalFault::kWrongSize, "a state column is shorter than robots()");
   }
   count(counters_.reads);

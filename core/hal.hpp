@@ -54,14 +54,6 @@ struct RobotInfo {
   std::string link;  // "sim", "can0", "radio://0/80/2M"
 };
 
-// What a robot or its link tells beside its motion. A HAL leaves alone what it has no means to know.
-struct Telemetry {
-  Time heard{0};  // when the link last had an answer of any kind from it, on the run's clock
-  float battery = std::numeric_limits<float>::quiet_NaN();       // share of the charge, 0 to 1
-  float link_quality = std::numeric_limits<float>::quiet_NaN();  // share of the last second's polls answered
-  bool airborne = true;  // motors carry it, or it drives; false: at rest, and safe to touch
-};
-
 // Where read() puts what is known of each robot, one element a robot, in the order of robots().
 // Positions in m, velocities in m/s, world frame. Columns may be longer than robots(); the excess is not
 // touched. `stamp` is when the state was measured, on the run's clock; in real time that may be a little
@@ -72,7 +64,6 @@ struct StateColumns {
   std::span<float> vx, vy, vz;
   std::span<Time> stamp;
   std::span<std::uint8_t> valid;
-  std::span<Telemetry> telemetry{};  // may be left empty: then it is not told
 };
 
 // One command for each robot, in the order of robots(); columns may be longer, the excess is ignored.
