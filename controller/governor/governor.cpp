@@ -4,6 +4,8 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "core/finite.hpp"
+
 namespace mayfly {
 namespace {
 
@@ -13,10 +15,6 @@ constexpr double kRounding = 1e-6;
 constexpr double kBelievable = 10.0;
 // Between braking (0) and what is wanted (1), in the order in which they are tried.
 constexpr double kShares[] = {1.0, 0.5, 0.25};
-
-bool finite(glm::vec3 v) {
-  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-}
 
 glm::vec3 at(std::span<const float> x, std::span<const float> y, std::span<const float> z, std::size_t i) {
   return {x[i], y[i], z[i]};
