@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 #include <string>
 
+#include "core/finite.hpp"
 #include "kernels/ramp.h"
 
 namespace mayfly::fields {
@@ -50,10 +51,6 @@ void add_agent(glm::vec3 u, const Grid& grid, float share, std::span<float> dens
       }
     }
   }
-}
-
-bool finite(glm::vec3 a) {
-  return std::isfinite(a.x) && std::isfinite(a.y) && std::isfinite(a.z);
 }
 
 Result<void> check_size(std::size_t found, std::size_t wanted) {

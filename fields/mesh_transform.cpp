@@ -5,6 +5,8 @@
 #include <glm/trigonometric.hpp>
 #include <string>
 
+#include "core/finite.hpp"
+
 #include "fields/mesh.hpp"
 
 namespace mayfly::fields {
@@ -33,10 +35,6 @@ Placement fitted(const TriangleMesh& mesh, const glm::dmat3& rotation, double lo
   }
   const glm::dvec3 side = high - low;
   return {0.5 * (low + high), longest / std::fmax(side.x, std::fmax(side.y, side.z))};
-}
-
-bool finite(const glm::dvec3& a) {
-  return std::isfinite(a.x) && std::isfinite(a.y) && std::isfinite(a.z);
 }
 
 }  // namespace

@@ -8,16 +8,13 @@
 #include <utility>
 #include <vector>
 
+#include "core/finite.hpp"
 #include "fields/geometry_parts.hpp"
 #include "fields/sample_distance.hpp"
 #include "fields/spline.hpp"
 
 namespace mayfly::fields {
 namespace {
-
-bool finite(glm::vec3 a) {
-  return std::isfinite(a.x) && std::isfinite(a.y) && std::isfinite(a.z);
-}
 
 tl::unexpected<Error> refuse(std::string what, std::string found, std::string wanted) {
   return fail(Error{Cause::kCaller, std::move(what), std::nullopt, std::move(found), std::move(wanted), {}});
@@ -121,7 +118,7 @@ Result<void> MovingObstacles::move(std::span<const glm::vec3> offsets, std::span
   if (!std::ranges::all_of(margins, [](float m) { return std::isfinite(m) && m >= 0.0F; })) {
     return refuse("an obstacle's margin is no length", {}, "finite metres, not below 0");
   }
-  if (!std::ranges::all_of(offsets, finite)) {
+  if (!std::ranges::all_of(offsets, [](glm::vec3 a) { return finite(a); })) {
     return refuse("an obstacle's offset is not finite", {}, "metres along x, y, z");
   }
   state_->update(offsets, margins, threads);

@@ -7,6 +7,8 @@
 #include <glm/vec2.hpp>
 #include <string>
 
+#include "core/finite.hpp"
+
 namespace mayfly::fields {
 namespace {
 
@@ -47,10 +49,6 @@ struct Distance {
     return (glm::dot(normal, point) - static_cast<double>(shape.offset)) / glm::length(normal);
   }
 };
-
-bool finite(glm::vec3 a) {
-  return std::isfinite(a.x) && std::isfinite(a.y) && std::isfinite(a.z);
-}
 
 tl::unexpected<Error> refuse(std::string what, std::string wanted) {
   return fail(Error{Cause::kCaller, std::move(what), std::nullopt, {}, std::move(wanted), {}});

@@ -7,6 +7,7 @@
 #include <glm/common.hpp>
 #include <variant>
 
+#include "core/finite.hpp"
 #include "record/plot_solids.hpp"
 
 namespace mayfly::record {
@@ -45,10 +46,6 @@ void horizontal(Canvas& canvas, double y, double from, double to, const Stroke& 
 }
 void vertical(Canvas& canvas, double x, double from, double to, const Stroke& stroke) {
   canvas.line(std::array{glm::dvec2(crisp(x), from), glm::dvec2(crisp(x), to)}, stroke);
-}
-
-bool finite(glm::vec3 p) {
-  return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
 }
 
 void frame_box(Canvas& canvas, const Panel& panel, const Box& box, const Stroke& stroke) {

@@ -4,32 +4,16 @@
 #include <array>
 #include <string>
 
+#include "controller/engine/opencl_transfer.hpp"
+
 namespace mayfly {
 namespace {
 
 using compute::Buffer;
 using compute::Device;
 using compute::Status;
-
-constexpr std::size_t kGroup = 64;  // work items launched together
-
-Status first_fault(std::initializer_list<Status> all) noexcept {
-  for (const Status status : all) {
-    if (!status.ok()) {
-      return status;
-    }
-  }
-  return {};
-}
-
-template <class T, class From>
-Status send(Buffer<T>& to, std::span<From> from, std::size_t count) noexcept {
-  if (const Status status = to.map(); !status.ok()) {
-    return status;
-  }
-  std::copy_n(from.begin(), std::min({from.size(), to.size(), count}), to.data().begin());
-  return to.unmap();
-}
+using opencl::first_fault;
+using opencl::send;
 
 Status fetch(Buffer<float>& from, std::span<float> to) noexcept {
   if (const Status status = from.map(); !status.ok()) {
@@ -92,7 +76,7 @@ Status OpenclAvoidance::start(const Avoidance& seen, std::size_t swarm, const Sw
                                  static_cast<int>(model.first), static_cast<int>(count), room.vx, room.vy,
                                  room.vz, room.infeasible, period_s, model.avoidance, model.field, walls);
   const std::size_t items = (count + MF_LANES - 1) / MF_LANES;
-  return set.ok() ? kernel_.enqueue((items + kGroup - 1) / kGroup * kGroup, kGroup) : set;
+  return set.ok() ? kernel_.enqueue(opencl::whole_groups(items), opencl::kGroup) : set;
 }
 
 Status OpenclAvoidance::download(const Avoidance& seen, const VelocityColumns& velocity,

@@ -12,6 +12,7 @@
 #include "controller/engine/moment.hpp"
 #include "controller/engine/opencl_avoidance.hpp"
 #include "controller/engine/opencl_forces.hpp"
+#include "controller/engine/opencl_transfer.hpp"
 #include "controller/engine/permutation.hpp"
 
 namespace mayfly {
@@ -21,11 +22,8 @@ using compute::Buffer;
 using compute::Device;
 using compute::Kernel;
 using compute::Status;
-
-constexpr std::size_t kGroup = 64;  // work items launched together
-std::size_t whole_groups(std::size_t items) {
-  return (items + kGroup - 1) / kGroup * kGroup;
-}
+using opencl::kGroup;
+using opencl::whole_groups;
 
 // Three columns that travel together.
 struct Columns3 {

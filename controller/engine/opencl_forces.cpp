@@ -4,6 +4,7 @@
 #include <string>
 
 #include "controller/engine/moment.hpp"
+#include "controller/engine/opencl_transfer.hpp"
 
 namespace mayfly {
 namespace {
@@ -12,26 +13,8 @@ using compute::Buffer;
 using compute::Device;
 using compute::Kernel;
 using compute::Status;
-
-constexpr std::size_t kGroup = 64;  // work items launched together
-
-Status first_fault(std::initializer_list<Status> all) noexcept {
-  for (const Status status : all) {
-    if (!status.ok()) {
-      return status;
-    }
-  }
-  return {};
-}
-
-template <class T, class From>
-Status send(Buffer<T>& to, std::span<From> from) noexcept {
-  if (const Status status = to.map(); !status.ok()) {
-    return status;
-  }
-  std::copy_n(from.begin(), std::min(from.size(), to.size()), to.data().begin());
-  return to.unmap();
-}
+using opencl::first_fault;
+using opencl::send;
 
 Status send_columns(Buffer<float>& to, const NeighbourGrid& grid, std::size_t stride) noexcept {
   if (const Status status = to.map(); !status.ok()) {
@@ -122,11 +105,13 @@ Status OpenclForces::compute(std::size_t which, const SwarmModel& model, const A
 
 Status OpenclForces::upload(Room& room, const ForcedSwarm& forced, const SwarmModel& model) noexcept {
   const NeighbourGrid& grid = forced.grid;
-  return first_fault({send(room.eights, grid.eights()), send(room.start, grid.start()),
-                      send(room.id, grid.id()), send_columns(room.sorted, grid, room.stride),
-                      send(room.nodes, forced.far.nodes()), send(room.field, std::span(&model.field, 1)),
-                      send(room.model, std::span(&model.forces, 1)), room.vx.unmap(), room.vy.unmap(),
-                      room.vz.unmap()});
+  // Without a mesh nobody reads a node.
+  const std::size_t nodes = forced.far.mesh().on != 0 ? forced.far.nodes().size() : 0;
+  return first_fault(
+      {send(room.eights, grid.eights()), send(room.start, grid.start()), send(room.id, grid.id()),
+       send_columns(room.sorted, grid, room.stride), send(room.nodes, forced.far.nodes(), nodes),
+       send(room.field, std::span(&model.field, 1)), send(room.model, std::span(&model.forces, 1)),
+       room.vx.unmap(), room.vy.unmap(), room.vz.unmap()});
 }
 
 Status OpenclForces::start(Room& room, const ForcedSwarm& forced, const SwarmModel& model,
@@ -151,7 +136,7 @@ Status OpenclForces::start(Room& room, const ForcedSwarm& forced, const SwarmMod
   if (!status.ok()) {
     return status;
   }
-  return kernel.enqueue((forced.grid.eight_count() + kGroup - 1) / kGroup * kGroup, kGroup);
+  return kernel.enqueue(opencl::whole_groups(forced.grid.eight_count()), opencl::kGroup);
 }
 
 // Of the agents that were sorted; the absent have their velocity already.

@@ -1,15 +1,41 @@
 #include "controller/flight/stimuli.hpp"
 
-#include <algorithm>
+#include <utility>
 
 namespace mayfly {
 namespace {
 
 using Kind = StimulusSpec::Kind;
 
-template <class Spec>
-bool is_felt(const Spec& spec, const SwarmSpec& swarm) {
-  return swarm.model == Model::kForces && (spec.swarm.empty() || spec.swarm == swarm.name);
+// What a swarm may feel; one of the two is null.
+struct Felt {
+  const LampSpec* lamp = nullptr;
+  const StimulusSpec* other = nullptr;
+};
+
+// In the order in which the engine knows them: lamps, then the others.
+std::vector<Felt> felt_by(const Scenario& scenario, const SwarmSpec& swarm) {
+  std::vector<Felt> felt;
+  if (swarm.model != Model::kForces) {
+    return felt;
+  }
+  const auto is_meant = [&](const std::string& name) { return name.empty() || name == swarm.name; };
+  for (const LampSpec& lamp : scenario.lamps) {
+    if (is_meant(lamp.swarm)) {
+      felt.push_back({&lamp, nullptr});
+    }
+  }
+  for (const StimulusSpec& spec : scenario.stimuli) {
+    if (is_meant(spec.swarm)) {
+      felt.push_back({nullptr, &spec});
+    }
+  }
+  return felt;
+}
+
+kernels::MfStimulus kernel_stimulus(const LampSpec& lamp) {
+  const glm::vec3 at = lamp.position;
+  return {MF_STIMULUS_PREY, at.x, at.y, at.z, lamp.weight, lamp.reach, 0.0F, 0.0F};
 }
 
 kernels::MfStimulus kernel_stimulus(const StimulusSpec& spec) {
@@ -24,20 +50,9 @@ kernels::MfStimulus kernel_stimulus(const StimulusSpec& spec) {
 
 void add_stimuli(const Scenario& scenario, const SwarmSpec& swarm, kernels::MfForces& forces) {
   forces.stimuli = 0;
-  const auto add = [&](const kernels::MfStimulus& stimulus) {
+  for (const auto& [lamp, other] : felt_by(scenario, swarm)) {
     if (forces.stimuli < MF_MAX_STIMULI) {
-      forces.stimulus[forces.stimuli++] = stimulus;
-    }
-  };
-  for (const LampSpec& lamp : scenario.lamps) {
-    if (is_felt(lamp, swarm)) {
-      const glm::vec3 at = lamp.position;
-      add({MF_STIMULUS_PREY, at.x, at.y, at.z, lamp.weight, lamp.reach, 0.0F, 0.0F});
-    }
-  }
-  for (const StimulusSpec& spec : scenario.stimuli) {
-    if (is_felt(spec, swarm)) {
-      add(kernel_stimulus(spec));
+      forces.stimulus[forces.stimuli++] = lamp != nullptr ? kernel_stimulus(*lamp) : kernel_stimulus(*other);
     }
   }
 }
@@ -46,18 +61,11 @@ MovingStimuli::MovingStimuli(const Scenario& scenario) {
   for (std::size_t s = 0; s < scenario.swarms.size(); ++s) {
     Swarm swarm{s, {}, {}};
     bool moves = false;
-    for (const LampSpec& lamp : scenario.lamps) {
-      if (is_felt(lamp, scenario.swarms[s])) {
-        swarm.specs.push_back(nullptr);
-        swarm.places.push_back(lamp.position);
-      }
-    }
-    for (const StimulusSpec& spec : scenario.stimuli) {
-      if (is_felt(spec, scenario.swarms[s])) {
-        swarm.specs.push_back(spec.path ? &spec : nullptr);
-        swarm.places.push_back(spec.position);
-        moves = moves || spec.path;
-      }
+    for (const auto& [lamp, other] : felt_by(scenario, scenario.swarms[s])) {
+      const bool has_path = other != nullptr && other->path;
+      swarm.specs.push_back(has_path ? other : nullptr);
+      swarm.places.push_back(lamp != nullptr ? lamp->position : other->position);
+      moves = moves || has_path;
     }
     if (moves) {
       swarms_.push_back(std::move(swarm));

@@ -1,7 +1,8 @@
 #include "controller/governor/fleet.hpp"
 
 #include <algorithm>
-#include <cmath>
+
+#include "core/finite.hpp"
 
 namespace mayfly {
 namespace {
@@ -9,10 +10,6 @@ namespace {
 // A robot that is said to be faster than this many times its speed limit when it is first seen is not
 // believed.
 constexpr double kBelievable = 10.0;
-
-bool finite(glm::vec3 v) {
-  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-}
 
 std::vector<GroupModel> group_models(const GovernorConfig& config) {
   std::vector<GroupModel> groups;

@@ -1,8 +1,9 @@
 #include "controller/governor/governor.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
+
+#include "core/finite.hpp"
 
 namespace mayfly {
 namespace {
@@ -12,10 +13,6 @@ constexpr double kRounding = 1e-6;
 // Between braking (0) and what is wanted (1), in the order in which they are tried.
 constexpr double kShares[] = {1.0, 0.5, 0.25};
 constexpr std::uint64_t kMostSkipped = 1000;
-
-bool finite(glm::vec3 v) {
-  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-}
 
 bool columns_fit(std::size_t agents, const DesiredColumns& desired, const GovernedColumns& out) noexcept {
   const std::size_t least = std::min({desired.vx.size(), desired.vy.size(), desired.vz.size(),

@@ -1,10 +1,10 @@
 #include "controller/guard/monitor.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <glm/geometric.hpp>
 
 #include "controller/life_cycle/transitions.hpp"
+#include "core/finite.hpp"
 
 namespace mayfly {
 namespace {
@@ -15,10 +15,6 @@ constexpr double kRounding = 1e-5;
 glm::dvec3 velocity_of(const CommandColumns& c, std::size_t robot) noexcept {
   return c.kind[robot] == CommandKind::kVelocity ? glm::dvec3(c.vx[robot], c.vy[robot], c.vz[robot])
                                                  : glm::dvec3(0.0);
-}
-
-bool is_finite(const glm::dvec3& v) noexcept {
-  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
 // Whether a robot may have got from one state to the other since the last tick: by one event; or all the way
@@ -105,7 +101,7 @@ void Monitor::check(const TickOutcome& tick) noexcept {
 void Monitor::check_command(const TickOutcome& tick, std::size_t robot) noexcept {
   const CommandKind kind = tick.commands.kind[robot];
   const glm::dvec3 velocity = velocity_of(tick.commands, robot);
-  is_finite_[robot] = is_finite(velocity) ? 1 : 0;
+  is_finite_[robot] = finite(velocity) ? 1 : 0;
   if (is_finite_[robot] == 0) {
     breach(Invariant::kFinite, robot);
     sent_[robot].known = false;

@@ -4,12 +4,10 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "core/finite.hpp"
+
 namespace mayfly {
 namespace {
-
-bool is_finite(glm::vec3 v) {
-  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-}
 
 glm::vec3 at(std::span<const float> x, std::span<const float> y, std::span<const float> z, std::size_t i) {
   return {x[i], y[i], z[i]};
@@ -25,26 +23,30 @@ void LastSeen::update(const MetricsTick& tick) noexcept {
       known_[i] = 0;
       continue;
     }
-    if (i < places && is_finite(at(tick.x, tick.y, tick.z, i))) {
+    if (i < places && finite(at(tick.x, tick.y, tick.z, i))) {
       place_[i] = at(tick.x, tick.y, tick.z, i);
       known_[i] = 1;
     }
-    if (i < velocities && is_finite(at(tick.vx, tick.vy, tick.vz, i))) {
+    if (i < velocities && finite(at(tick.vx, tick.vy, tick.vz, i))) {
       velocity_[i] = at(tick.vx, tick.vy, tick.vz, i);
     }
   }
 }
 
+std::optional<glm::dvec3> centre_of(const LastSeen& seen, AgentRange range) noexcept {
+  glm::dvec3 sum(0.0);
+  const std::size_t count = for_each_known(seen, range, [&](std::size_t i) { sum += seen.place(i); });
+  return count > 0 ? std::optional(sum / static_cast<double>(count)) : std::nullopt;
+}
+
 std::optional<double> gyration(const LastSeen& seen, AgentRange range) noexcept {
-  glm::dvec3 centre(0.0);
-  const std::size_t count = for_each_known(seen, range, [&](std::size_t i) { centre += seen.place(i); });
-  if (count == 0) {
+  const std::optional<glm::dvec3> centre = centre_of(seen, range);
+  if (!centre) {
     return std::nullopt;
   }
-  centre /= static_cast<double>(count);
   double sum = 0.0;
-  for_each_known(seen, range, [&](std::size_t i) {
-    const glm::dvec3 way = seen.place(i) - centre;
+  const std::size_t count = for_each_known(seen, range, [&](std::size_t i) {
+    const glm::dvec3 way = seen.place(i) - *centre;
     sum += glm::dot(way, way);
   });
   return std::sqrt(sum / static_cast<double>(count));

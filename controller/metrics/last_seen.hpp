@@ -57,6 +57,9 @@ std::size_t for_each_known(const LastSeen& seen, AgentRange range, Visit&& visit
   return count;
 }
 
+// m: the mean place; empty where nobody is known.
+std::optional<glm::dvec3> centre_of(const LastSeen& seen, AgentRange range) noexcept;
+
 // m: the radius of gyration, √(mean |r − centre|²); empty where nobody is known.
 std::optional<double> gyration(const LastSeen& seen, AgentRange range) noexcept;
 

@@ -5,14 +5,12 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
+#include "core/finite.hpp"
+
 namespace mayfly {
 namespace {
 
 constexpr std::size_t kNoSwarm = std::numeric_limits<std::size_t>::max();
-
-bool finite(glm::vec3 v) {
-  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-}
 
 double squared(glm::dvec3 v) {
   return glm::dot(v, v);

@@ -7,6 +7,8 @@
 #include <glm/vec3.hpp>
 #include <limits>
 
+#include "controller/metrics/last_seen.hpp"
+
 namespace mayfly {
 
 struct MotionQuestion {
@@ -28,6 +30,9 @@ struct MotionQuestion {
   Kind kind = Kind::kNone;
   std::size_t first = 0;  // of the swarm's agents
   std::size_t count = 0;
+
+  AgentRange agents() const { return {first, count}; }
+
   // m, where it is now: kDistance, kTurns and what follows kNearest. Must not throw, and allocates nothing.
   std::function<glm::dvec3()> place{};
   double within = 0.0;                                                // m

@@ -10,10 +10,6 @@ namespace {
 
 using Kind = MotionQuestion::Kind;
 
-AgentRange range_of(const MotionQuestion& question) {
-  return {question.first, question.count};
-}
-
 }  // namespace
 
 SwarmEncounters::SwarmEncounters(std::vector<MotionQuestion> questions, std::uint64_t ticks)
@@ -38,7 +34,7 @@ void SwarmEncounters::observe_one(Asked& asked, const LastSeen& seen) noexcept {
   const MotionQuestion& question = asked.question;
   const glm::dvec3 place = question.place ? question.place() : glm::dvec3(0.0);
   std::size_t near = 0;
-  for_each_known(seen, range_of(question), [&](std::size_t i) {
+  for_each_known(seen, question.agents(), [&](std::size_t i) {
     const double distance = glm::distance(seen.place(i), place);
     asked.least = std::min(asked.least.value_or(distance), distance);
     near += distance <= question.within ? 1U : 0U;
@@ -47,7 +43,7 @@ void SwarmEncounters::observe_one(Asked& asked, const LastSeen& seen) noexcept {
     asked.arrived = static_cast<double>(near) / static_cast<double>(question.count);
   }
   if (near > 0 && !asked.start) {
-    asked.start = gyration(seen, range_of(question));
+    asked.start = gyration(seen, question.agents());
   }
   if (asked.start && (question.kind == Kind::kParting || question.kind == Kind::kClosing)) {
     observe_spread(asked, seen);
@@ -55,7 +51,7 @@ void SwarmEncounters::observe_one(Asked& asked, const LastSeen& seen) noexcept {
 }
 
 void SwarmEncounters::observe_spread(Asked& asked, const LastSeen& seen) noexcept {
-  const auto spread = gyration(seen, range_of(asked.question));
+  const auto spread = gyration(seen, asked.question.agents());
   if (!spread) {
     return;
   }

@@ -15,20 +15,10 @@ using Kind = MotionQuestion::Kind;
 // Nearer to the axis than this, an agent's angle is rounding.
 constexpr double kOnAxis = 1e-9;  // m
 
-AgentRange range_of(const MotionQuestion& question) {
-  return {question.first, question.count};
-}
-
-std::optional<glm::dvec3> centre(const LastSeen& seen, const MotionQuestion& question) noexcept {
-  glm::dvec3 sum(0.0);
-  const auto count = for_each_known(seen, range_of(question), [&](std::size_t i) { sum += seen.place(i); });
-  return count > 0 ? std::optional(sum / static_cast<double>(count)) : std::nullopt;
-}
-
 std::optional<double> mean_distance(const LastSeen& seen, const MotionQuestion& question,
                                     glm::dvec3 from) noexcept {
   double sum = 0.0;
-  const auto count = for_each_known(seen, range_of(question),
+  const auto count = for_each_known(seen, question.agents(),
                                     [&](std::size_t i) { sum += glm::distance(seen.place(i), from); });
   return count > 0 ? std::optional(sum / static_cast<double>(count)) : std::nullopt;
 }
@@ -62,9 +52,9 @@ void SwarmMotion::observe_one(Asked& asked, const LastSeen& seen) noexcept {
   } else if (question.kind == Kind::kDistance && 2 * (tick_ + 1) > flight_ticks_ && question.place) {
     value = mean_distance(seen, question, question.place());
   } else if (question.kind == Kind::kSpread && 10 * (tick_ + 1) > 9 * flight_ticks_) {
-    value = gyration(seen, range_of(question));
+    value = gyration(seen, question.agents());
   } else if (question.kind == Kind::kCentreDrift) {
-    const auto middle = centre(seen, question);
+    const auto middle = centre_of(seen, question.agents());
     asked.start = asked.start ? asked.start : middle;
     asked.sum = middle ? std::max(asked.sum, glm::distance(*middle, *asked.start)) : asked.sum;
   }
@@ -77,7 +67,7 @@ void SwarmMotion::observe_one(Asked& asked, const LastSeen& seen) noexcept {
 void SwarmMotion::turn(Asked& asked, const LastSeen& seen) noexcept {
   const MotionQuestion& question = asked.question;
   const glm::dvec3 axis = question.place ? question.place() : glm::dvec3(0.0);
-  for_each_known(seen, range_of(question), [&](std::size_t agent) {
+  for_each_known(seen, question.agents(), [&](std::size_t agent) {
     const std::size_t i = agent - question.first;
     asked.met[i] = 1;
     const glm::dvec3 from = seen.place(agent) - axis;

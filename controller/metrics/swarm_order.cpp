@@ -34,15 +34,13 @@ std::optional<double> polarisation(const LastSeen& seen, AgentRange range) noexc
 }
 
 std::optional<double> milling(const LastSeen& seen, AgentRange range) noexcept {
-  glm::dvec3 centre(0.0);
-  const std::size_t count = for_each_known(seen, range, [&](std::size_t i) { centre += seen.place(i); });
-  if (count == 0) {
+  const std::optional<glm::dvec3> centre = centre_of(seen, range);
+  if (!centre) {
     return std::nullopt;
   }
-  centre /= static_cast<double>(count);
   double sum = 0.0;
-  for_each_known(seen, range, [&](std::size_t i) {
-    const glm::dvec3 r = seen.place(i) - centre;
+  const std::size_t count = for_each_known(seen, range, [&](std::size_t i) {
+    const glm::dvec3 r = seen.place(i) - *centre;
     const glm::dvec3 v = seen.velocity(i);
     const double size = std::hypot(r.x, r.y) * std::hypot(v.x, v.y);
     sum += size < kNoLength * kNoLength ? 0.0 : (r.x * v.y - r.y * v.x) / size;
@@ -55,7 +53,7 @@ SwarmOrder::SwarmOrder(const std::vector<MotionQuestion>& questions, std::uint64
       flight_ticks_(ticks),
       stride_(std::max<std::uint64_t>(1, ticks / 2 / kMoments)) {
   for (const MotionQuestion& question : questions) {
-    asked_.push_back({question.kind, {question.first, question.count}});
+    asked_.push_back({question.kind, question.agents()});
   }
 }
 
