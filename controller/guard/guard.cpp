@@ -60,8 +60,9 @@ Orders::Config orders_config(const GuardConfig& config) {
 }
 
 MonitorConfig monitor_config(const GuardConfig& config) {
-  return {config.period,         config.command_life,    config.tick_budget,
-          config.governor.fence, config.governor.groups, config.hooks};
+  return {config.period,         config.command_life,         config.tick_budget,
+          config.governor.fence, config.governor.half_spaces, config.governor.groups,
+          config.hooks};
 }
 
 // Nothing is promised of robots that are not governed: no tape is kept of them.

@@ -36,11 +36,13 @@ bool may_follow(RobotState before, RobotState after) noexcept {
 Monitor::Monitor(MonitorConfig config)
     : config_(std::move(config)),
       period_(to_seconds(config_.period)),
-      separation_(config_.groups.empty() ? 0 : config_.groups.back().first + config_.groups.back().count) {
+      separation_(config_.groups.empty() ? 0 : config_.groups.back().first + config_.groups.back().count),
+      fence_(config_.fence, config_.half_spaces) {
   for (const GovernorGroup& group : config_.groups) {
     const GovernorLimits& l = group.limits;
-    limits_.insert(limits_.end(), group.count,
-                   {l.speed, l.acceleration * period_, l.braking, l.radius, l.response_time, group.enabled});
+    limits_.insert(
+        limits_.end(), group.count,
+        {l.speed, l.acceleration * period_, l.braking, l.radius, l.response_time, l.downwash, group.enabled});
   }
   const std::size_t robots = limits_.size();
   sent_.resize(robots);
@@ -161,6 +163,7 @@ StoppingPath Monitor::path_of(const TickOutcome& tick, std::size_t robot) const 
   const EstimateColumns& e = tick.estimate;
   StoppingPath path;
   path.radius = limits.radius;
+  path.downwash = limits.downwash;
   path.counts = limits.governed && tick.ours[robot] != 0 && e.known[robot] != 0 && sent_[robot].known;
   if (!path.counts) {
     return path;
@@ -175,21 +178,9 @@ StoppingPath Monitor::path_of(const TickOutcome& tick, std::size_t robot) const 
 
 void Monitor::check_space(const TickOutcome& tick) noexcept {
   for (std::size_t robot = 0; robot < paths_.size(); ++robot) {
-    StoppingPath& path = paths_[robot];
-    path = path_of(tick, robot);
-    if (!path.counts) {
-      continue;
-    }
-    const double kept = path.radius * (1.0 - kRounding) - 1e-4;
-    for (int axis = 0; axis < 3; ++axis) {
-      const double low = config_.fence.min[axis] + kept;
-      const double high = config_.fence.max[axis] - kept;
-      // One that is outside already may stay as far out, and come back.
-      if (path.to[axis] < std::min(low, path.from[axis] - 1e-4) ||
-          path.to[axis] > std::max(high, path.from[axis] + 1e-4)) {
-        breach(Invariant::kFence, robot);
-        break;
-      }
+    paths_[robot] = path_of(tick, robot);
+    if (paths_[robot].counts && fence_.is_left_by(paths_[robot])) {
+      breach(Invariant::kFence, robot);
     }
   }
   separation_.check(paths_, [this](std::uint32_t i, std::uint32_t j) {

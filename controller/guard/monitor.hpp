@@ -10,6 +10,7 @@
 
 #include "controller/estimator/estimator.hpp"
 #include "controller/governor/governor_config.hpp"
+#include "controller/guard/fence_watch.hpp"
 #include "controller/guard/invariants.hpp"
 #include "controller/guard/separation_watch.hpp"
 #include "controller/life_cycle/robot_state.hpp"
@@ -27,9 +28,10 @@ struct MonitorHooks {
 
 struct MonitorConfig {
   Time period{0};
-  Time most_command_life{0};          // deadlines lie no farther ahead
-  Time tick_budget{0};                // 0: not watched (a virtual clock)
-  Box fence;                          // m
+  Time most_command_life{0};  // deadlines lie no farther ahead
+  Time tick_budget{0};        // 0: not watched (a virtual clock)
+  Box fence;                  // m
+  std::vector<HalfSpace> half_spaces;
   std::vector<GovernorGroup> groups;  // cover the robots; those with `enabled` false: finite and speed only
   MonitorHooks hooks;
 };
@@ -69,7 +71,7 @@ class Monitor {
 
  private:
   struct Limits {
-    double speed = 0.0, change = 0.0, braking = 0.0, radius = 0.0, response_time = 0.0;
+    double speed = 0.0, change = 0.0, braking = 0.0, radius = 0.0, response_time = 0.0, downwash = 1.0;
     bool governed = true;
   };
   // What was sent last, m/s; not known before the first command and after one that was not ours.
@@ -98,6 +100,7 @@ class Monitor {
   std::vector<std::uint8_t> is_finite_;
   std::vector<Symptoms> symptoms_;
   SeparationWatch separation_;
+  FenceWatch fence_;
   Symptoms everybody_;
   std::uint64_t sequence_ = 0;
   std::uint64_t allocations_ = 0;

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 
 #include "tests/unit/guard/wish.hpp"
@@ -139,6 +140,56 @@ TEST(Monitor, I5StoppingPathsStayInTheFence) {
   rig.z[0] = 9.41F;
   EXPECT_EQ(rig.breaches(Invariant::kFence), 1U);
   EXPECT_TRUE(rig.monitor.symptoms()[0].has(Symptom::kOutOfFence));
+}
+
+// Slanted, and not of length 1: x + z <= 12 in the rig's hall, the robot at (6, 5, 5).
+TEST(Monitor, I5AHalfSpaceIsAFenceToo) {
+  MonitorConfig config = Rig::config();
+  config.half_spaces = {{{2.0F, 0.0F, 2.0F}, 24.0F}};
+  const float border = (12.0F - 0.1F * std::sqrt(2.0F)) - 5.0F;  // where a body of 0.1 m just fits
+  Rig rig(config);
+  rig.x[1] = border - 1e-3F;
+  rig.expect_calm();
+  rig.expect_calm();
+  rig.commands.vx[1] = 0.04F;  // braked after 0.2 mm
+  EXPECT_EQ(rig.breaches(Invariant::kFence), 0U);
+  rig.x[1] = border + 1e-3F;  // an estimate that is outside already, and goes on outwards
+  rig.commands.vx[1] = 0.08F;
+  EXPECT_EQ(rig.breaches(Invariant::kFence), 1U);
+  EXPECT_TRUE(rig.monitor.symptoms()[1].has(Symptom::kOutOfFence));
+  EXPECT_FALSE(rig.monitor.symptoms()[0].has(Symptom::kOutOfFence));
+  rig.commands.vx[1] = 0.04F;
+  rig.commands.vz[1] = -0.04F;
+  EXPECT_EQ(rig.breaches(Invariant::kFence), 0U) << "along the plane";
+}
+
+// Three times as far above each other as beside: of two kinds the smaller counts.
+TEST(Monitor, I4HeightsAreMeasuredByTheDownwash) {
+  MonitorConfig config = Rig::config();
+  config.groups[0].limits.downwash = 3.0F;
+  Rig rig(config);
+  rig.x = {5, 5};
+  rig.z = {5, 5.61F};
+  rig.expect_calm();
+  rig.expect_calm();
+  rig.z[1] = 5.59F;
+  EXPECT_EQ(rig.breaches(Invariant::kSeparation), 1U);
+  rig.z[1] = 5.0F;
+  rig.x[1] = 5.21F;
+  EXPECT_EQ(rig.breaches(Invariant::kSeparation), 0U) << "beside each other it changes nothing";
+
+  GovernorGroup other = config.groups[0];
+  config.groups[0].count = 1;
+  other.first = other.count = 1;
+  other.limits.downwash = 2.0F;
+  config.groups.push_back(other);
+  Rig mixed(config);
+  mixed.x = {5, 5};
+  mixed.z = {5, 5.41F};
+  mixed.expect_calm();
+  mixed.expect_calm();
+  mixed.z[1] = 5.39F;
+  EXPECT_EQ(mixed.breaches(Invariant::kSeparation), 1U);
 }
 
 TEST(Monitor, I5OneThatIsOutsideMayComeBack) {
