@@ -127,7 +127,9 @@ Result<link::LinkReport> fly(const Loaded& loaded, link::GuardEnd& end, Hal& rob
     return fail(std::move(configured.error()));
   }
   Motion motion(loaded.scenario);
-  auto guard = Guard::create(guard_config(loaded.scenario, *loaded.world, motion, clock), robots);
+  GuardConfig config = guard_config(loaded.scenario, *loaded.world, motion, clock);
+  config.hooks.owns_commands = [&end] { return end.has_one_owner(); };
+  auto guard = Guard::create(std::move(config), robots);
   if (!guard) {
     return fail(std::move(guard.error()));
   }

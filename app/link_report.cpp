@@ -23,11 +23,13 @@ Result<void> write_link_report(const std::filesystem::path& path, const link::Li
                                                 report.witness->p50, report.witness->p99, report.witness->max)
                                   : "null";
   return record::write_file(
-      path, fmt::format("{{\n  \"planner_died\": {},\n  \"planner_gone_ns\": {},\n  \"ticks\": {},\n"
-                        "  \"skipped\": {},\n  \"wishes\": {},\n  \"refused\": {},\n  \"stops\": [{}],\n"
-                        "  \"witness_us\": {}\n}}\n",
-                        report.planner_died, gone, report.ticks, report.skipped, report.wishes,
-                        report.refused, stops, witness));
+      path,
+      fmt::format("{{\n  \"planner_died\": {},\n  \"planner_gone_ns\": {},\n  \"ticks\": {},\n"
+                  "  \"skipped\": {},\n  \"wishes\": {},\n  \"refused\": {},\n  \"leases_refused\": {},\n"
+                  "  \"stops\": [{}],\n"
+                  "  \"witness_us\": {}\n}}\n",
+                  report.planner_died, gone, report.ticks, report.skipped, report.wishes, report.refused,
+                  report.leases_refused, stops, witness));
 }
 
 }  // namespace mayfly::app

@@ -28,9 +28,11 @@ CommandColumns part(const CommandColumns& c, std::size_t from, std::size_t n) no
           c.sequence};
 }
 
-// Keeps the first fault, its robot counted in the whole.
+// Keeps the first fault, its robot counted in the whole; a robot that was told something else than it was to
+// be told comes before all others.
 void merge(HalResult& whole, HalResult child, std::size_t from) noexcept {
-  if (!whole.ok() || child.ok()) {
+  const bool is_worse = child.fault == HalFault::kMisencoded && whole.fault != HalFault::kMisencoded;
+  if (child.ok() || !(whole.ok() || is_worse)) {
     return;
   }
   if (child.robot != kEveryRobot) {

@@ -36,7 +36,12 @@ Result<void> Hal::configure() {
   if (auto done = do_configure(); !done) {
     return done;
   }
-  kinds_.assign(robots().size(), CommandKind::kHold);
+  const std::size_t size = robots().size();
+  kinds_.assign(size, CommandKind::kHold);
+  echo_kind_.assign(size, CommandKind::kNone);
+  for (std::vector<float>* column : {&echo_vx_, &echo_vy_, &echo_vz_}) {
+    column->assign(size, 0.0F);
+  }
   state_ = HalState::kConfigured;
   return {};
 }
@@ -87,7 +92,12 @@ HalResult Hal::write(Time now, const CommandColumns& commands) noexcept {
   count(counters_.writes);
   const HalResult written = do_write(now, {kinds_, commands.vx.first(size), commands.vy.first(size),
                                            commands.vz.first(size), commands.deadline, commands.sequence});
-  // What the device says is worse than what was mended here; the counters tell of both.
+  // A robot that was told something else is worse than a device that complains, and that is worse than what
+  // was mended here; the counters tell of all.
+  const HalResult encoded = check_encoding(commands);
+  if (!encoded.ok()) {
+    return encoded;
+  }
   return written.ok() ? cleaned : written;
 }
 
@@ -127,6 +137,27 @@ HalResult Hal::sanitise(Time now, const CommandColumns& commands) noexcept {
     }
   }
   return result;
+}
+
+HalResult Hal::check_encoding(const CommandColumns& commands) noexcept {
+  const std::optional<float> rounding = do_decode({echo_kind_, echo_vx_, echo_vy_, echo_vz_});
+  if (!rounding) {
+    return {};
+  }
+  // What is no number is not near.
+  const auto near = [&](float a, float b) { return std::fabs(a - b) <= *rounding; };
+  for (std::size_t robot = 0; robot < kinds_.size(); ++robot) {
+    const bool same = echo_kind_[robot] == kinds_[robot] && (kinds_[robot] != CommandKind::kVelocity ||
+                                                             (near(echo_vx_[robot], commands.vx[robot]) &&
+                                                              near(echo_vy_[robot], commands.vy[robot]) &&
+                                                              near(echo_vz_[robot], commands.vz[robot])));
+    if (!same) {
+      count(counters_.misencoded);
+      return {HalFault::kMisencoded, static_cast<RobotIndex>(robot), robots()[robot].link,
+              "what was encoded for the robot does not decode to its command"};
+    }
+  }
+  return {};
 }
 
 }  // namespace mayfly

@@ -11,6 +11,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -37,6 +38,7 @@ enum class HalFault : std::uint8_t {
   kExpired,        // the command's deadline had passed; that robot got `hold` instead
   kLinkDown,       // the bus, dongle or port does not answer
   kRobotSilent,    // the link works, this robot does not answer
+  kMisencoded,     // what was encoded for a robot does not decode to its command
 };
 
 // What happened to a call in the loop. Plain data: no allocation on the way.
@@ -85,12 +87,19 @@ struct CommandColumns {
   std::uint64_t sequence = 0;  // strictly increasing from 1 on; begins anew with each activation
 };
 
+// Where a HAL tells what it has encoded, decoded again: as in CommandColumns.
+struct EchoColumns {
+  std::span<CommandKind> kind;
+  std::span<float> vx, vy, vz;  // looked at only where kind is kVelocity
+};
+
 // Every drop has a counter.
 struct HalCounters {
   std::atomic<std::uint64_t> reads{0};
   std::atomic<std::uint64_t> writes{0};
   std::atomic<std::uint64_t> refused_calls{0};     // wrong state or wrong size, set-up calls included
   std::atomic<std::uint64_t> refused_commands{0};  // one a robot: not finite, expired, or out of sequence
+  std::atomic<std::uint64_t> misencoded{0};        // writes in which some robot's command was
 };
 
 class Hal {
@@ -127,16 +136,23 @@ class Hal {
   // refused the rest.
   virtual HalResult do_write(Time now, const CommandColumns& commands) noexcept = 0;
   virtual Result<void> do_deactivate(Time now) = 0;
+  // Decodes what the last do_write() encoded for the robots, which write() then compares with what it was
+  // given, whatever the HAL. The result is by how much a velocity may differ for the encoding's sake, m/s;
+  // nothing where nothing is encoded: then the columns are not looked at.
+  virtual std::optional<float> do_decode(const EchoColumns&) noexcept { return std::nullopt; }
 
  private:
   HalResult refuse_call(HalFault fault, std::string_view cause) noexcept;
   // Fills kinds_ with what may be written, and says what had to be replaced.
   HalResult sanitise(Time now, const CommandColumns& commands) noexcept;
+  HalResult check_encoding(const CommandColumns& commands) noexcept;
 
   HalState state_ = HalState::kCreated;
   HalCounters counters_;
   std::uint64_t last_sequence_ = 0;
   std::vector<CommandKind> kinds_;  // the commands as they will be written: `hold` where one was refused
+  std::vector<CommandKind> echo_kind_;
+  std::vector<float> echo_vx_, echo_vy_, echo_vz_;
 };
 
 }  // namespace mayfly

@@ -8,6 +8,7 @@
 
 #include "controller/flight/flight_config.hpp"
 #include "controller/flight/swarm_models.hpp"
+#include "core/armed_tick.hpp"
 
 namespace mayfly {
 namespace {
@@ -73,6 +74,7 @@ GuardConfig guard_config(const Scenario& scenario, const World& world, const Mot
   config.life_cycle.robots = config.estimator.robots.size();
   config.most_plan_age = kCommandPeriods * config.period;
   config.command_life = kCommandPeriods * config.period;
+  config.hooks.allocations = ArmedTick::offences;
   if (!clock.is_virtual() && scenario.control.realtime == RealtimePolicy::kEnforce) {
     config.clock = &clock;
     config.tick_budget = config.period;

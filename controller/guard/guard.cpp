@@ -303,6 +303,7 @@ HalResult Guard::write(Time now) noexcept {
   }
   const HalResult result = hal_.write(now, written());
   note_link(result);
+  monitor_.wrote(result);
   was_written_ = result.ok();
   tell_estimator(now);
   end_tick(now, outcome);

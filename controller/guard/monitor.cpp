@@ -208,11 +208,20 @@ void Monitor::check_tick(const TickOutcome& tick) noexcept {
     }
     allocations_ = allocations;
   }
-  if (config_.hooks.decodes && !config_.hooks.decodes(c)) {
-    breach(Invariant::kDecodes);
-  }
   if (config_.hooks.owns_commands && !config_.hooks.owns_commands()) {
     breach(Invariant::kOneOwner);
+  }
+}
+
+void Monitor::wrote(const HalResult& result) noexcept {
+  if (result.fault != HalFault::kMisencoded) {
+    return;
+  }
+  counters_.ticks_that_held -= held_ ? 1U : 0U;
+  if (result.robot < symptoms_.size()) {
+    breach(Invariant::kDecodes, result.robot);
+  } else {
+    breach(Invariant::kDecodes);
   }
 }
 

@@ -21,9 +21,8 @@ namespace mayfly {
 // What only others can see. Empty: that is not watched. Called in the tick: they allocate, block and throw
 // nothing.
 struct MonitorHooks {
-  std::function<std::uint64_t()> allocations;          // by this thread so far, and calls that may block
-  std::function<bool(const CommandColumns&)> decodes;  // what was encoded of these, decoded, is these
-  std::function<bool()> owns_commands;                 // nobody else commands these robots
+  std::function<std::uint64_t()> allocations;  // in ticks so far, and calls that may block
+  std::function<bool()> owns_commands;         // nobody else commands these robots
 };
 
 struct MonitorConfig {
@@ -57,6 +56,8 @@ class Monitor {
 
   // Before anything is written.
   void check(const TickOutcome& tick) noexcept;
+  // What the HAL made of it: a robot that was told something else is a breach of this tick.
+  void wrote(const HalResult& result) noexcept;
   // How long the tick took, when it is over; judged with the next check.
   void took(Time duration) noexcept { took_ = duration; }
 

@@ -12,7 +12,7 @@ constexpr auto kLastKind = static_cast<std::uint8_t>(CommandKind::kStop);
 }  // namespace
 
 Result<GuardEnd> GuardEnd::make(Segment segment, Time most_age) {
-  auto lease = take_lease(segment.header().guard, "guard");
+  auto lease = take_lease(segment.header(), segment.header().guard, "guard");
   if (!lease) {
     return fail(std::move(lease.error()));
   }
@@ -55,6 +55,7 @@ void GuardEnd::take_wish(Time now) noexcept {
   Cutter cutter(wishes_.latest().data());
   const WishColumns wish = wish_columns(cutter, segment_.robots());
   if (wish.head->owner != owner_ || wish.head->sequence <= sequence_) {
+    others_ += wish.head->owner != owner_ ? 1U : 0U;
     ++refused_;
     return;
   }
@@ -80,6 +81,7 @@ void GuardEnd::take_operator() noexcept {
   Cutter cutter(operators_.latest().data());
   const OperatorColumns request = operator_columns(cutter, segment_.robots());
   if (request.head->owner != owner_) {
+    ++others_;
     ++refused_;
     return;
   }
@@ -87,6 +89,16 @@ void GuardEnd::take_operator() noexcept {
   stop_ = static_cast<StopLevel>(
       std::min(request.head->stop, static_cast<std::uint32_t>(StopLevel::kEmergencyStop)));
   acknowledged_ = request.head->acknowledged;
+}
+
+bool GuardEnd::has_one_owner() noexcept {
+  const bool heard_another = others_ != others_told_;
+  others_told_ = others_;
+  return !heard_another && segment_.header().planner.load(std::memory_order_relaxed) == owner_;
+}
+
+std::uint64_t GuardEnd::leases_refused() const noexcept {
+  return segment_.header().leases_refused.load(std::memory_order_relaxed);
 }
 
 // A wish of its own number: whoever has taken the last one need not look at its deadline again.

@@ -40,6 +40,11 @@ class GuardEnd {
   }
   std::uint64_t taken() const noexcept { return taken_; }
   std::uint64_t refused() const noexcept { return refused_; }
+  // False where somebody else than the lease's owner has the lease, or has wished or asked for anything since
+  // the last call (I16 of docs/explanation/guard.md).
+  bool has_one_owner() noexcept;
+  // How many planners and guards came second, and were refused.
+  std::uint64_t leases_refused() const noexcept;
 
   // Fill all of it, then show it: that is a heartbeat, too. taken, refused and wish are filled in here.
   ViewColumns& view() noexcept { return view_; }
@@ -70,6 +75,7 @@ class GuardEnd {
   Word beat_ = 0;
   std::uint64_t taken_ = 0;
   std::uint64_t refused_ = 0;
+  std::uint64_t others_ = 0, others_told_ = 0;  // wishes and requests of another owner
 };
 
 }  // namespace mayfly::link

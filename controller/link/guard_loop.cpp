@@ -202,6 +202,7 @@ LinkReport GuardLoop::report() const {
   LinkReport report = report_;
   report.wishes = parts_.end.taken();
   report.refused = parts_.end.refused();
+  report.leases_refused = parts_.end.leases_refused();
   return report;
 }
 

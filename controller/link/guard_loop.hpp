@@ -29,8 +29,9 @@ struct LinkReport {
   std::uint64_t skipped = 0;  // releases that no tick served
   std::uint64_t wishes = 0;   // taken
   std::uint64_t refused = 0;
-  Time planner_gone{0};     // when its end was noticed; 0 where it asked for the end
-  std::vector<Stop> stops;  // the first of them
+  std::uint64_t leases_refused = 0;  // second planners, and second guards
+  Time planner_gone{0};              // when its end was noticed; 0 where it asked for the end
+  std::vector<Stop> stops;           // the first of them
   // µs by which a bare thread beside the guard's was woken late; empty: not measured.
   std::optional<Percentiles> witness;
 };

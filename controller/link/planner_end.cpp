@@ -6,7 +6,7 @@
 namespace mayfly::link {
 
 Result<PlannerEnd> PlannerEnd::make(Segment segment) {
-  auto lease = take_lease(segment.header().planner, "planner");
+  auto lease = take_lease(segment.header(), segment.header().planner, "planner");
   if (!lease) {
     return fail(std::move(lease.error()));
   }
@@ -19,6 +19,7 @@ PlannerEnd::PlannerEnd(Segment segment, Word lease)
       operators_(segment_.operators(), segment_.layout().operators),
       views_(segment_.view(), segment_.layout().view),
       events_(segment_.events(), segment_.layout().events),
+      sent_(segment_.wish(), segment_.layout().wish),
       wish_block_(segment_.layout().wish.bytes),
       operator_block_(segment_.layout().operators.bytes),
       lease_(lease) {
@@ -42,6 +43,16 @@ void PlannerEnd::send_wish(Time issued, Time deadline) noexcept {
 
 void PlannerEnd::beat() noexcept {
   segment_.header().planner_beat.store(++beat_, std::memory_order_relaxed);
+}
+
+std::optional<WishColumns> PlannerEnd::sent() noexcept {
+  if (!sent_.collect()) {
+    return std::nullopt;
+  }
+  Cutter cutter(sent_.latest().data());
+  const WishColumns wish = wish_columns(cutter, segment_.robots());
+  const bool is_ours = wish.head->owner == lease_ && wish.head->sequence == wish_.head->sequence;
+  return is_ours ? std::optional(wish) : std::nullopt;
 }
 
 void PlannerEnd::request_stop(StopLevel level) noexcept {

@@ -22,6 +22,8 @@ class PlannerEnd {
   WishColumns& wish() noexcept { return wish_; }
   void send_wish(Time issued, Time deadline) noexcept;
   void beat() noexcept;
+  // What the guard reads of the last wish that was sent; empty where that is not whole.
+  std::optional<WishColumns> sent() noexcept;
 
   // Levels and counts stay until they are asked for otherwise. Nothing crosses where nothing has changed.
   void request_stop(StopLevel level) noexcept;
@@ -44,7 +46,7 @@ class PlannerEnd {
 
   Segment segment_;
   RingWriter wishes_, operators_;
-  RingReader views_, events_;
+  RingReader views_, events_, sent_;
   std::vector<std::byte> wish_block_, operator_block_;
   WishColumns wish_;
   OperatorColumns operator_;

@@ -169,11 +169,12 @@ Result<Segment> Segment::attach(int descriptor, const Roster& roster) {
   return segment;
 }
 
-Result<Word> take_lease(SharedWord& lease, const std::string& what) {
+Result<Word> take_lease(Header& header, SharedWord& lease, const std::string& what) {
   const auto ticks = std::chrono::steady_clock::now().time_since_epoch().count();
   const Word own = static_cast<Word>(::getpid()) << 32U | (static_cast<Word>(ticks) & 0xffffffffU) | 1U;
   Word holder = 0;
   if (!lease.compare_exchange_strong(holder, own)) {
+    header.leases_refused.fetch_add(1, std::memory_order_relaxed);
     return fail({.cause = Cause::kEnvironment,
                  .message = "there is already a " + what + " on this link",
                  .found = "process " + std::to_string(holder >> 32U),

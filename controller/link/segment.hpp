@@ -17,7 +17,7 @@
 namespace mayfly::link {
 
 inline constexpr Word kMagic = 0x676e696c79616d00U;  // "\0mayling"
-inline constexpr Word kVersion = 1;                  // of everything in this folder that crosses
+inline constexpr Word kVersion = 2;                  // of everything in this folder that crosses
 
 // What the planner wants of the guard, and how far the guard is: levels again.
 enum class Want : Word { kWait, kFly, kEnd };
@@ -30,6 +30,7 @@ struct Header {
   SharedWord want, planner_beat;
   alignas(64) SharedWord guard;  // lease
   SharedWord phase, guard_beat;
+  alignas(64) SharedWord leases_refused;  // to those who came second, on either side
 };
 
 // The robots that both sides mean, in their order.
@@ -98,8 +99,8 @@ class Segment {
   std::size_t robots_;
 };
 
-// Takes a lease that nobody has: `lease` is 0 till then. The holder's process is told by its upper half.
-// Fails, naming the holder, where it is taken: there is one owner of commands.
-Result<Word> take_lease(SharedWord& lease, const std::string& what);
+// Takes a lease that nobody has: `lease` (of `header`) is 0 till then. The holder's process is told by its
+// upper half. Fails, naming the holder, where it is taken, and counts that: there is one owner of commands.
+Result<Word> take_lease(Header& header, SharedWord& lease, const std::string& what);
 
 }  // namespace mayfly::link

@@ -152,7 +152,7 @@ HalResult ShmHal::link_state(Time now) const noexcept {
 }
 
 HalResult ShmHal::told(const Event& event) noexcept {
-  const auto fault = event.fault > static_cast<std::uint32_t>(HalFault::kRobotSilent)
+  const auto fault = event.fault > static_cast<std::uint32_t>(HalFault::kMisencoded)
                          ? HalFault::kLinkDown
                          : static_cast<HalFault>(event.fault);
   auto text = std::find_if(texts_.begin(), texts_.end(), [&](const Text& known) {
@@ -178,6 +178,22 @@ HalResult ShmHal::do_write(Time now, const CommandColumns& commands) noexcept {
   std::copy(commands.vz.begin(), commands.vz.end(), wish.vz.begin());
   end_.send_wish(now, commands.deadline);
   return link_state(now);
+}
+
+// As the guard will read it, and exactly.
+std::optional<float> ShmHal::do_decode(const EchoColumns& to) noexcept {
+  const std::optional<WishColumns> sent = end_.sent();
+  if (!sent) {
+    std::fill(to.kind.begin(), to.kind.end(), CommandKind::kNone);
+    return 0.0F;
+  }
+  for (std::size_t robot = 0; robot < to.kind.size(); ++robot) {
+    to.kind[robot] = static_cast<CommandKind>(sent->kind[robot]);
+  }
+  std::copy(sent->vx.begin(), sent->vx.end(), to.vx.begin());
+  std::copy(sent->vy.begin(), sent->vy.end(), to.vy.begin());
+  std::copy(sent->vz.begin(), sent->vz.end(), to.vz.begin());
+  return 0.0F;
 }
 
 // A guard that is lost cannot be asked to let go, and nothing is left to do from here: lost() tells.

@@ -75,6 +75,7 @@ class ShmHal final : public GuardPort {
   HalResult do_read(Time now, const StateColumns& states) noexcept override;
   HalResult do_write(Time now, const CommandColumns& commands) noexcept override;
   Result<void> do_deactivate(Time now) override;
+  std::optional<float> do_decode(const EchoColumns& to) noexcept override;
 
   Result<void> wait_for(Phase phase, Time now, Time most);
   void send_hold(Time now) noexcept;

@@ -103,6 +103,57 @@ void expect_clean(const Scenario& scenario, Clock& clock) {
   EXPECT_EQ(flown->ticks, static_cast<std::uint64_t>(trapper.ticks_));
 }
 
+// Allocates in one tick: an observer with a bug.
+class Careless final : public Observer {
+ public:
+  void on_tick(const TickView& tick) noexcept override {
+    if (tick.tick == 40) {
+      kept_ = std::make_unique<int>(1);
+    }
+  }
+  std::unique_ptr<int> kept_;
+};
+
+std::uint64_t breaches_of(const Summary& summary, const std::string& invariant) {
+  for (const auto& [name, count] : summary.safety.invariants) {
+    if (name == invariant) {
+      return count;
+    }
+  }
+  ADD_FAILURE() << "there is no " << invariant;
+  return 0;
+}
+
+TEST(ArmedTick, AnAllocationIsABreachThatHoldsEverybody) {
+  for (const bool careless : {false, true}) {
+    VirtualClock clock;
+    const Scenario scenario = hall("model: field", "", 2.0);
+    const auto ready = prepare(scenario, {.threads = 1});
+    ASSERT_TRUE(ready) << to_string(ready.error().front());
+    const auto engine = make_native_engine(1);
+    ASSERT_TRUE(engine->prepare((*ready)->models.swarms, (*ready)->models.agents()));
+    sim_hal::SimHal hal(robots_of(scenario, **ready, clock));
+    Careless observer;
+    const std::array<Observer*, 1> watching{&observer};
+    std::vector<std::uint64_t> tape_ticks;
+    const auto flown =
+        fly({.scenario = scenario,
+             .world = (*ready)->world,
+             .engine = *engine,
+             .hal = hal,
+             .clock = clock,
+             .observers = careless ? std::span<Observer* const>(watching) : std::span<Observer* const>(),
+             .keep_tape = [&](const BlackBoxTape& tape) {
+               tape_ticks.push_back(tape.frame(tape.size() - 1).sequence);
+             }});
+    ASSERT_TRUE(flown) << to_string(flown.error());
+    EXPECT_EQ(breaches_of(*flown, "no_allocation"), careless ? 1U : 0U);
+    EXPECT_EQ(flown->safety.severity_max == "hold_all", careless);
+    // Observers see a tick after it was written: the guard sees what they did in its next.
+    EXPECT_EQ(tape_ticks, careless ? std::vector<std::uint64_t>{42} : std::vector<std::uint64_t>{});
+  }
+}
+
 TEST(ArmedTick, InLockStepIsClean) {
   VirtualClock clock;
   expect_clean(hall("model: field", "", 5.0), clock);

@@ -45,7 +45,7 @@ TEST_F(Refused, ASegmentOfAnotherVersion) {
   segment->header().version = link::kVersion + 1;
   const Outcome outcome = start(segment->descriptor());
   EXPECT_EQ(outcome.exit_code, 3);
-  EXPECT_THAT(outcome.error, AllOf(HasSubstr("the version"), HasSubstr("found 2; wanted 1")));
+  EXPECT_THAT(outcome.error, AllOf(HasSubstr("the version"), HasSubstr("found 3; wanted 2")));
 }
 
 TEST_F(Refused, ASegmentForAnotherNumberOfRobots) {

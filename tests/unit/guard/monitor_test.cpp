@@ -323,13 +323,20 @@ TEST(Monitor, I13NothingIsAllocated) {
 }
 
 TEST(Monitor, I14WhatWasEncodedDecodes) {
-  MonitorConfig config = Rig::config();
-  bool decodes = true;
-  config.hooks.decodes = [&](const CommandColumns& c) { return decodes && c.sequence > 0; };
-  Rig rig(config);
-  rig.expect_calm();
-  decodes = false;
-  EXPECT_EQ(rig.breaches(Invariant::kDecodes), 1U);
+  Rig rig;
+  for (const HalFault other : {HalFault::kNone, HalFault::kLinkDown, HalFault::kRobotSilent}) {
+    rig.monitor.wrote({other});
+    rig.expect_calm();
+  }
+  rig.monitor.wrote({HalFault::kMisencoded, 1});
+  EXPECT_EQ(rig.monitor.counters().of(Invariant::kDecodes), 1U);
+  EXPECT_EQ(rig.monitor.counters().ticks_that_held, rig.monitor.counters().ticks - 1);
+  EXPECT_FALSE(rig.monitor.held()) << "no watchdog is fed";
+  EXPECT_TRUE(rig.monitor.symptoms()[1].has(Symptom::kInvariantBroken));
+  rig.monitor.wrote({HalFault::kMisencoded, kEveryRobot});
+  EXPECT_TRUE(rig.monitor.everybody().has(Symptom::kInvariantBroken));
+  rig.check();
+  EXPECT_TRUE(rig.monitor.held()) << "until the next that is right";
 }
 
 TEST(Monitor, I16NobodyElseCommands) {

@@ -33,6 +33,20 @@ TEST(Wish, ArrivesAsItWasSent) {
   EXPECT_EQ(link.guard.issued(), kNow);
 }
 
+TEST(Wish, ReadsBackAsItWasSent) {
+  Pair link(3);
+  EXPECT_FALSE(link.planner.sent()) << "nothing yet";
+  link.wish_velocity(0.5F, kNow, kLater);
+  const auto sent = link.planner.sent();
+  ASSERT_TRUE(sent);
+  EXPECT_EQ(sent->vx[2], 0.5F);
+  EXPECT_EQ(sent->kind[0], static_cast<std::uint8_t>(CommandKind::kVelocity));
+  EXPECT_FALSE(link.planner.sent()) << "it was looked at";
+  link.planner.wish().head->owner ^= 1U;
+  link.wish_velocity(0.5F, kNow, kLater);
+  EXPECT_FALSE(link.planner.sent()) << "somebody else's";
+}
+
 TEST(Wish, StaysTheSameWithItsOldDeadlineUntilTheNext) {
   Pair link(1);
   link.wish_velocity(1.0F, kNow, kLater);

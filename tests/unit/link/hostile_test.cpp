@@ -85,6 +85,25 @@ TEST(HostilePlanner, AWishOfAnotherOwnerIsRefused) {
   EXPECT_EQ(link.guard.wish(kNow).sequence, 1U);
   EXPECT_EQ(link.guard.wish(kNow).vx[0], 1.0F);
   EXPECT_EQ(link.guard.refused(), 1U);
+  EXPECT_FALSE(link.guard.has_one_owner());
+  EXPECT_TRUE(link.guard.has_one_owner()) << "each is told once";
+}
+
+TEST(HostilePlanner, WhoeverTakesTheLeaseFromItsOwnerIsNotOne) {
+  Pair link(kRobots);
+  EXPECT_TRUE(link.guard.has_one_owner());
+  link.planner.segment().header().planner += 1;
+  EXPECT_FALSE(link.guard.has_one_owner());
+  EXPECT_FALSE(link.guard.has_one_owner()) << "as long as it is so";
+}
+
+TEST(HostilePlanner, ASecondOneIsRefusedAndCounted) {
+  Pair link(kRobots);
+  EXPECT_EQ(link.guard.leases_refused(), 0U);
+  EXPECT_FALSE(PlannerEnd::make(same_segment(link.planner.segment(), kRobots)));
+  EXPECT_FALSE(GuardEnd::make(same_segment(link.planner.segment(), kRobots), Pair::kMostAge));
+  EXPECT_EQ(link.guard.leases_refused(), 2U);
+  EXPECT_TRUE(link.guard.has_one_owner()) << "the first is the owner as before";
 }
 
 TEST(HostilePlanner, AnOldOrRepeatedWishIsRefused) {

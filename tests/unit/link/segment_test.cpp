@@ -52,7 +52,7 @@ TEST(Segment, AnotherVersionIsRefused) {
   const Segment segment = make(5);
   segment.header().version = kVersion + 1;
   EXPECT_THAT(refusal(copy_of(segment), roster_of(some_robots(5))),
-              AllOf(HasSubstr("the version"), HasSubstr("found 2; wanted 1")));
+              AllOf(HasSubstr("the version"), HasSubstr("found 3; wanted 2")));
 }
 
 TEST(Segment, AnotherNumberOfRobotsIsRefused) {

@@ -87,6 +87,7 @@ TEST_F(Planner, WritesAWish) {
   EXPECT_EQ(wish.kind[0], CommandKind::kVelocity);
   EXPECT_EQ(wish.vy[2], 0.5F);
   EXPECT_EQ(wish.deadline, kNow + 5 * kPeriod);
+  EXPECT_EQ(hal_.counters().misencoded, 0U);
 }
 
 // Each activation of a HAL begins its sequence anew; the link's goes on.
