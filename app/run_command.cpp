@@ -130,7 +130,7 @@ int fly_and_tell(const RunOptions& options, const Scenario& scenario, const Prep
   }
   const StopRequest& stop = robots->guard ? robots->guard->stop() : signals.stop();
   Hal& hal = robots->guard ? static_cast<Hal&>(robots->guard->port()) : *robots->simulated.hal;
-  const simulate::Sabotage sabotage(scenario, **engine, hal, *clock, &stop);
+  const simulate::Sabotage sabotage(scenario, **engine, *clock, &stop);
   FlightGauge gauge;
   announce(options, scenario, **engine, agents);
   auto summary = [&] {
@@ -139,13 +139,14 @@ int fly_and_tell(const RunOptions& options, const Scenario& scenario, const Prep
         .scenario = scenario,
         .world = ready.world,
         .engine = sabotage.engine(),
-        .hal = sabotage.hal(),
+        .hal = hal,
         .truth = robots->simulated.truth.get(),
         .clock = sabotage.clock(),
         .observers = outputs->observers(),
         .stop = sabotage.stop(),
         .gauge = &gauge,
         .guard = robots->guard ? &robots->guard->port() : nullptr,
+        .between = [&](GuardPort& guard) { return sabotage.before(guard); },
         // Another process keeps its own.
         .keep_tape =
             [&](const BlackBoxTape& tape) { keep_tape(options, scenario, *robots->simulated.hal, tape); },

@@ -28,11 +28,26 @@ CommandColumns part(const CommandColumns& c, std::size_t from, std::size_t n) no
           c.sequence};
 }
 
-// Keeps the first fault, its robot counted in the whole; a robot that was told something else than it was to
-// be told comes before all others.
+// A link is more than a robot, a HAL that has given up more than a link, and a robot that was told something
+// else than it was to be told comes before all others.
+int gravity(HalFault fault) noexcept {
+  switch (fault) {
+    case HalFault::kNone:
+      return 0;
+    case HalFault::kLinkDown:
+      return 2;
+    case HalFault::kGivenUp:
+      return 3;
+    case HalFault::kMisencoded:
+      return 4;
+    default:
+      return 1;
+  }
+}
+
+// Keeps the first of the gravest faults, its robot counted in the whole.
 void merge(HalResult& whole, HalResult child, std::size_t from) noexcept {
-  const bool is_worse = child.fault == HalFault::kMisencoded && whole.fault != HalFault::kMisencoded;
-  if (child.ok() || !(whole.ok() || is_worse)) {
+  if (gravity(child.fault) <= gravity(whole.fault)) {
     return;
   }
   if (child.robot != kEveryRobot) {

@@ -14,8 +14,8 @@ namespace mayfly {
 // Robots stand in the order of the children, each child's own order kept. Set-up is all or nothing: where one
 // child cannot be configured or activated, nor can the whole, and those that were active are let go of. In
 // flight no child can hold up another: every child is read and written whatever the others answer, and the
-// first fault is reported with the robot's index in the whole; each child's own counters tell the rest. Which
-// robots of a faulty child are still valid is that child's to say.
+// gravest fault is reported (the first of those) with the robot's index in the whole; each child's own
+// counters tell the rest. Which robots of a faulty child are still valid is that child's to say.
 class CompositeHal final : public Hal {
  public:
   CompositeHal(std::string name, std::vector<std::unique_ptr<Hal>> children);

@@ -85,6 +85,7 @@ HalResult Hal::write(Time now, const CommandColumns& commands) noexcept {
   }
   if (commands.sequence <= last_sequence_) {
     count(counters_.refused_commands, size);
+    on_refused();
     return {HalFault::kOutOfSequence, kEveryRobot, {}, "the command's sequence number is not above the last"};
   }
   last_sequence_ = commands.sequence;

@@ -39,6 +39,7 @@ enum class HalFault : std::uint8_t {
   kLinkDown,       // the bus, dongle or port does not answer
   kRobotSilent,    // the link works, this robot does not answer
   kMisencoded,     // what was encoded for a robot does not decode to its command
+  kGivenUp,        // what drives the robots has failed for good: a simulation's device is lost
 };
 
 // What happened to a call in the loop. Plain data: no allocation on the way.
@@ -140,6 +141,8 @@ class Hal {
   // given, whatever the HAL. The result is by how much a velocity may differ for the encoding's sake, m/s;
   // nothing where nothing is encoded: then the columns are not looked at.
   virtual std::optional<float> do_decode(const EchoColumns&) noexcept { return std::nullopt; }
+  // A command was refused whole, out of sequence; do_write() does not see it.
+  virtual void on_refused() noexcept {}
 
  private:
   HalResult refuse_call(HalFault fault, std::string_view cause) noexcept;

@@ -102,10 +102,21 @@ Json counts(const std::vector<std::pair<std::string, std::uint64_t>>& named) {
   return object;
 }
 
+Json breaches(const std::optional<BreachSummary>& breaches) {
+  if (!breaches) {
+    return {};
+  }
+  return {{"separation", breaches->separation},
+          {"fence", breaches->fence},
+          {"speed", breaches->speed},
+          {"acceleration", breaches->acceleration}};
+}
+
 Json safety(const SafetySummary& safety) {
   return {{"severity_max", safety.severity_max},   {"invariants", counts(safety.invariants)},
           {"reactions", counts(safety.reactions)}, {"wishes_refused", safety.wishes_refused},
-          {"stalled_ticks", safety.stalled_ticks}, {"incidents", safety.incidents}};
+          {"stalled_ticks", safety.stalled_ticks}, {"incidents", safety.incidents},
+          {"breaches", breaches(safety.breaches)}};
 }
 
 Json expectations(const std::vector<ExpectationResult>& results) {

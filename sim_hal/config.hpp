@@ -60,6 +60,7 @@ struct SimHalConfig {
   std::vector<ScriptedFault> script;  // what goes wrong at set times
   // m: where a robot that lands comes to rest.
   float ground = -std::numeric_limits<float>::infinity();
+  int links = 1;                   // that the robots are dealt to, in equal parts
   float endurance = 0.0F;          // s that a full battery lasts; 0: for ever
   StepWatcher* watcher = nullptr;  // sees every plant step in lock step; must outlive the HAL
   std::uint64_t seed = 1;

@@ -14,13 +14,15 @@
 namespace mayfly::sim_hal {
 
 enum class Effect : std::uint8_t {
-  kLinkLost,     // as kSilent, of every robot of the HAL; read() and write() say that the link is down
+  kLinkLost,     // as kSilent, of every robot on the robots' links; read() and write() say which is down
   kSilent,       // nothing is heard of the robot and no command reaches it; its pose is seen from outside
   kLinkLoss,     // `size` is the share of polls and of commands that are lost
+  kLinkLatency,  // commands and answers are `size` seconds late
   kPoseStale,    // no sample
   kPoseFrozen,   // the last sample before, with fresh stamps
   kPoseNan,      // not a number, and claims to be valid
   kPoseJump,     // told `size` metres off, along `direction`
+  kPoseGhost,    // told `size` metres off, along `direction`, and where it is, in turn
   kIdSwap,       // the first two robots are told in each other's place
   kWind,         // `size` m/s along `direction` are added to what the robot is told
   kWeakMotor,    // `size` is the share that is left of its speed and acceleration

@@ -11,8 +11,9 @@ namespace mayfly::sim_hal {
 
 namespace {
 
-constexpr float kVerticalSpeed = 0.5F;  // m/s, of a robot that lands or takes off by itself
-constexpr float kHover = 0.5F;          // m above the ground, where a take-off ends
+constexpr float kVerticalSpeed = 0.5F;        // m/s, of a robot that lands or takes off by itself
+constexpr std::size_t kMostOnTheirWay = 256;  // commands; those before are as good as lost
+constexpr float kHover = 0.5F;                // m above the ground, where a take-off ends
 // After so long every plant that holds has stopped, as far as a float can tell.
 constexpr double kSettlingTime = 60.0;  // s
 
@@ -30,7 +31,7 @@ void fill_limits(std::span<float> column, const std::vector<float>& limits) {
 }
 
 bool moves(const FaultScript& script) {
-  return script.has(Effect::kWind) || script.has(Effect::kWeakMotor);
+  return script.has(Effect::kWind) || script.has(Effect::kWeakMotor) || script.has(Effect::kLinkLatency);
 }
 
 }  // namespace
@@ -63,7 +64,15 @@ PlantRun::PlantRun(ChosenStepper chosen, const SimHalConfig& config, const Fault
       rate_hz_(config.rate_hz),
       told_(robots_),
       deadline_(robots_),
-      airborne_(robots_, 1) {}
+      heard_(robots_, Time::min()),
+      airborne_(robots_, 1) {
+  if (script.has(Effect::kLinkLatency)) {
+    on_their_way_.assign(kMostOnTheirWay, PlantCommand(robots_));
+    for (PlantCommand& command : on_their_way_) {
+      std::fill(command.reaches.begin(), command.reaches.end(), std::uint8_t{0});
+    }
+  }
+}
 
 void PlantRun::resume(Time now) noexcept {
   if (!started_) {
@@ -93,6 +102,7 @@ void PlantRun::prepare_step() noexcept {
   script_->each(Effect::kSimulationFails, [&](const ScriptedFault& fault) {
     failure_ = now - origin_ >= fault.from ? "the simulation was told to fail" : failure_;
   });
+  hear_late(now);
   if (!failure_.empty() || (!is_new_ && !moved_by_script_ && !self_moving_ && now < next_deadline_)) {
     return;
   }
@@ -193,21 +203,52 @@ void PlantRun::command(const PlantCommand& command) noexcept {
   if (!failure_.empty()) {
     return;
   }
+  if (!on_their_way_.empty()) {
+    newest_ = (newest_ + 1) % on_their_way_.size();
+    on_their_way_[newest_] = command;
+    hear_late(command.sent);
+    return;
+  }
   for (std::size_t robot = 0; robot < robots_; ++robot) {
-    if (command.reaches[robot] == 0) {
-      continue;
+    if (command.reaches[robot] != 0) {
+      hear(robot, command);
     }
-    told_.kind[robot] = command.kind[robot];
-    told_.x[robot] = command.x[robot];
-    told_.y[robot] = command.y[robot];
-    told_.z[robot] = command.z[robot];
-    deadline_[robot] = command.deadline;
   }
   is_new_ = true;
 }
 
+void PlantRun::hear(std::size_t robot, const PlantCommand& command) noexcept {
+  told_.kind[robot] = command.kind[robot];
+  told_.x[robot] = command.x[robot];
+  told_.y[robot] = command.y[robot];
+  told_.z[robot] = command.z[robot];
+  deadline_[robot] = command.deadline;
+}
+
+// What is there by now, in the order in which it was sent: a robot heeds no command that is older than one it
+// has heard.
+void PlantRun::hear_late(Time now) noexcept {
+  for (std::size_t i = 1; i <= on_their_way_.size(); ++i) {
+    PlantCommand& command = on_their_way_[(newest_ + i) % on_their_way_.size()];
+    for (std::size_t robot = 0; robot < robots_; ++robot) {
+      if (command.reaches[robot] == 0 || now < command.sent + command.late[robot]) {
+        continue;
+      }
+      command.reaches[robot] = 0;
+      if (command.sent >= heard_[robot]) {
+        heard_[robot] = command.sent;
+        hear(robot, command);
+        is_new_ = true;
+      }
+    }
+  }
+}
+
 void PlantRun::hold() noexcept {
   std::fill(deadline_.begin(), deadline_.end(), Time::min());
+  for (PlantCommand& command : on_their_way_) {
+    std::fill(command.reaches.begin(), command.reaches.end(), std::uint8_t{0});
+  }
   is_new_ = true;
 }
 

@@ -22,10 +22,12 @@ namespace mayfly::sim_hal {
 // What the robots are told: velocities in m/s, which count for kVelocity. One element a robot in each column.
 struct PlantCommand {
   explicit PlantCommand(std::size_t robots = 0)
-      : kind(robots, CommandKind::kHold), reaches(robots, 1), x(robots), y(robots), z(robots) {}
+      : kind(robots, CommandKind::kHold), reaches(robots, 1), late(robots), x(robots), y(robots), z(robots) {}
   std::vector<CommandKind> kind;
   std::vector<std::uint8_t> reaches;  // 0: this robot does not hear it
+  std::vector<Time> late;             // after `sent` it gets there
   std::vector<float> x, y, z;
+  Time sent{0};
   Time deadline{0};  // from here on every robot that heard it holds
 };
 
@@ -50,6 +52,8 @@ class PlantRun {
  private:
   PlantRun(ChosenStepper chosen, const SimHalConfig& config, const FaultScript& script);
   void prepare_step() noexcept;
+  void hear(std::size_t robot, const PlantCommand& command) noexcept;
+  void hear_late(Time now) noexcept;
   void tell_robot(std::size_t robot, Time now) noexcept;
   void apply_script(Time since) noexcept;
   std::int64_t steps_ahead(std::int64_t until) const noexcept;
@@ -69,8 +73,11 @@ class PlantRun {
   std::int64_t done_ = 0;
   PlantCommand told_;  // what each robot heard last
   std::vector<Time> deadline_;
-  Time next_deadline_{0};  // the first that has not passed
-  bool is_new_ = false;    // what the plants are told has to be worked out anew
+  Time next_deadline_{0};                   // the first that has not passed
+  bool is_new_ = false;                     // what the plants are told has to be worked out anew
+  std::vector<PlantCommand> on_their_way_;  // a ring of the newest, where the script has late ones
+  std::size_t newest_ = 0;                  // in it
+  std::vector<Time> heard_;                 // when what each robot heard last was sent
   std::vector<std::uint8_t> airborne_;
   bool self_moving_ = false;  // somebody lands or takes off
   std::string_view failure_;

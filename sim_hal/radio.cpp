@@ -7,38 +7,33 @@ namespace mayfly::sim_hal {
 
 namespace {
 
-constexpr std::string_view kLink = "sim";
 constexpr Time kSlice = std::chrono::milliseconds(50);
 
 bool is_about_links(const FaultScript& script) {
-  return script.has(Effect::kLinkLost) || script.has(Effect::kSilent) || script.has(Effect::kLinkLoss);
-}
-
-bool is_on(const FaultScript& script, Effect effect, Time since) noexcept {
-  bool on = false;
-  script.each(effect, [&](const ScriptedFault& fault) { on = on || fault.is_on(since); });
-  return on;
-}
-
-HalResult link_down() noexcept {
-  return {HalFault::kLinkDown, kEveryRobot, kLink, "the link does not answer"};
+  return script.has(Effect::kLinkLost) || script.has(Effect::kSilent) || script.has(Effect::kLinkLoss) ||
+         script.has(Effect::kLinkLatency);
 }
 
 }  // namespace
 
-Radio::Radio(std::size_t robots, const FaultScript& script, std::uint64_t seed, float endurance_s)
-    : script_(&script),
+Radio::Radio(std::span<const RobotInfo> robots, std::string_view hal, const FaultScript& script,
+             std::uint64_t seed, float endurance_s)
+    : robots_(robots),
+      hal_(hal),
+      script_(&script),
       seed_(seed),
       endurance_s_(endurance_s),
       never_fails_(!is_about_links(script)),
-      answers_(never_fails_ ? 0 : robots),
-      heard_of_(never_fails_ ? 0 : robots),
-      windows_(never_fails_ ? 0 : robots) {}
+      answers_(never_fails_ ? 0 : robots.size()),
+      late_(never_fails_ ? 0 : robots.size()),
+      heard_of_(never_fails_ ? 0 : robots.size()),
+      windows_(never_fails_ ? 0 : robots.size()) {}
 
 void Radio::start(Time now) noexcept {
   if (!started_) {
     origin_ = now;
     started_ = true;
+    polled_ = now;
   }
 }
 
@@ -51,28 +46,54 @@ HalResult Radio::poll(Time now) noexcept {
   std::fill(answers_.begin(), answers_.end(), std::uint8_t{1});
   mark_lost(now - origin_, polls_++, Draw::kPoll, answers_);
   const auto slice = static_cast<std::size_t>(slice_) % kSlices;
-  HalResult result;
+  const Time since = now - origin_;
+  std::fill(late_.begin(), late_.end(), Time{0});
+  mark_late(since, late_);
   for (std::size_t robot = 0; robot < answers_.size(); ++robot) {
     Answers& window = windows_[robot];
+    const bool in_time = answers_[robot] != 0 && late_[robot] < std::max(now - polled_, Time{1});
     ++window.polls[slice];
-    window.answered[slice] = static_cast<std::uint16_t>(window.answered[slice] + answers_[robot]);
-    heard_of_[robot] = answers_[robot] != 0 ? now : heard_of_[robot];
+    window.answered[slice] = static_cast<std::uint16_t>(window.answered[slice] + (in_time ? 1 : 0));
+    heard_of_[robot] =
+        answers_[robot] != 0 ? std::max(heard_of_[robot], now - late_[robot]) : heard_of_[robot];
   }
-  script_->each_robot(Effect::kSilent, now - origin_, [&](RobotIndex robot, const ScriptedFault&) {
+  polled_ = now;
+  HalResult result;
+  script_->each_robot(Effect::kSilent, since, [&](RobotIndex robot, const ScriptedFault&) {
     if (result.ok()) {
-      result = {HalFault::kRobotSilent, robot, kLink, "the robot does not answer"};
+      result = {HalFault::kRobotSilent, robot, robots_[robot].link, "the robot does not answer"};
     }
   });
-  return is_on(*script_, Effect::kLinkLost, now - origin_) ? link_down() : result;
+  const HalResult down = link_state(since);
+  return down.ok() ? result : down;
 }
 
-HalResult Radio::send(Time now, std::span<std::uint8_t> reaches) noexcept {
+HalResult Radio::send(Time now, std::span<std::uint8_t> reaches, std::span<Time> late) noexcept {
   std::fill(reaches.begin(), reaches.end(), std::uint8_t{1});
+  std::fill(late.begin(), late.end(), Time{0});
   if (never_fails_) {
     return {};
   }
   mark_lost(now - origin_, sends_++, Draw::kSend, reaches);
-  return is_on(*script_, Effect::kLinkLost, now - origin_) ? link_down() : HalResult{};
+  mark_late(now - origin_, late);
+  return link_state(now - origin_);
+}
+
+// The link that is down; the HAL's name, which is no link's, where it is several of them.
+HalResult Radio::link_state(Time since) const noexcept {
+  std::string_view link;
+  script_->each_robot(Effect::kLinkLost, since, [&](RobotIndex robot, const ScriptedFault&) {
+    const std::string_view its = robots_[robot].link;
+    link = link.empty() || link == its ? its : hal_;
+  });
+  return link.empty() ? HalResult{}
+                      : HalResult{HalFault::kLinkDown, kEveryRobot, link, "the link does not answer"};
+}
+
+void Radio::mark_late(Time since, std::span<Time> late) const noexcept {
+  script_->each_robot(Effect::kLinkLatency, since, [&](RobotIndex robot, const ScriptedFault& fault) {
+    late[robot] = std::max(late[robot], from_seconds(static_cast<double>(fault.size)));
+  });
 }
 
 void Radio::mark_lost(Time since, std::int64_t number, Draw what,
@@ -83,9 +104,11 @@ void Radio::mark_lost(Time since, std::int64_t number, Draw what,
     const double chance = unit(draw(seed_, robot, number, what)[0]);
     answers[robot] = chance < static_cast<double>(fault.size) ? std::uint8_t{0} : answers[robot];
   });
-  if (is_on(*script_, Effect::kLinkLost, since)) {
-    std::fill(answers.begin(), answers.end(), std::uint8_t{0});
-  }
+  script_->each_robot(Effect::kLinkLost, since, [&](RobotIndex robot, const ScriptedFault&) {
+    for (std::size_t other = 0; other < answers.size(); ++other) {
+      answers[other] = robots_[other].link == robots_[robot].link ? std::uint8_t{0} : answers[other];
+    }
+  });
 }
 
 // What is older than a second is forgotten, slice by slice.

@@ -12,6 +12,8 @@ namespace mayfly::sim_hal {
 
 namespace {
 
+constexpr Time kGhostTurn = std::chrono::milliseconds(30);
+
 std::array<std::span<float>, 6> columns_of(const StateColumns& s) {
   return {s.x, s.y, s.z, s.vx, s.vy, s.vz};
 }
@@ -71,6 +73,12 @@ void Sensor::follow_script(Time since_start, const StateColumns& states) noexcep
   });
   script_->each_robot(Effect::kPoseJump, since_start, [&](RobotIndex robot, const ScriptedFault& fault) {
     for (int axis = 0; axis < 3; ++axis) {
+      columns[static_cast<std::size_t>(axis)][robot] += fault.size * fault.direction[axis];
+    }
+  });
+  script_->each_robot(Effect::kPoseGhost, since_start, [&](RobotIndex robot, const ScriptedFault& fault) {
+    const bool is_ghost = ((since_start - fault.from) / kGhostTurn) % 2 == 0;
+    for (int axis = 0; axis < 3 && is_ghost; ++axis) {
       columns[static_cast<std::size_t>(axis)][robot] += fault.size * fault.direction[axis];
     }
   });

@@ -1,6 +1,7 @@
 #include "sim_hal/sim_hal.hpp"
 
 #include <algorithm>
+#include <string>
 #include <utility>
 
 #include "sim_hal/check.hpp"
@@ -9,18 +10,23 @@ namespace mayfly::sim_hal {
 
 namespace {
 
-constexpr std::string_view kLink = "sim";
 constexpr std::string_view kThreadFailed = "OpenCL: the plants' thread has given up";
 
-void translate(const CommandColumns& commands, PlantCommand& to) noexcept {
+void translate(Time now, const CommandColumns& commands, PlantCommand& to) noexcept {
   std::copy(commands.kind.begin(), commands.kind.end(), to.kind.begin());
   std::copy(commands.vx.begin(), commands.vx.end(), to.x.begin());
   std::copy(commands.vy.begin(), commands.vy.end(), to.y.begin());
   std::copy(commands.vz.begin(), commands.vz.end(), to.z.begin());
   to.deadline = commands.deadline;
+  to.sent = now;
 }
 
 }  // namespace
+
+std::string link_name(const std::string& hal, int links, std::size_t robot, std::size_t robots) {
+  const auto count = static_cast<std::size_t>(std::max(1, links));
+  return count == 1 ? hal : hal + "/" + std::to_string(robot * count / std::max<std::size_t>(1, robots));
+}
 
 SimHal::SimHal(SimHalConfig config) : config_(std::move(config)), script_(config_.script) {}
 
@@ -35,15 +41,16 @@ Result<void> SimHal::do_configure() {
   }
   plants_.emplace(std::move(*plants));
   sensor_ = std::make_unique<Sensor>(robots, config_.faults, config_.seed, config_.rate_hz, script_);
-  radio_ = std::make_unique<Radio>(robots, script_, config_.seed, config_.endurance);
   if (config_.lock_step) {
     command_ = PlantCommand(robots);
   } else {
     thread_ = std::make_unique<PlantThread>(*plants_, *config_.clock, robots, config_.rate_hz);
   }
-  for (const std::string& robot : config_.robot_names) {
-    infos_.push_back({robot, std::string(kLink)});
+  infos_.clear();
+  for (std::size_t robot = 0; robot < robots; ++robot) {
+    infos_.push_back({config_.robot_names[robot], link_name(config_.name, config_.links, robot, robots)});
   }
+  radio_ = std::make_unique<Radio>(infos_, config_.name, script_, config_.seed, config_.endurance);
   return {};
 }
 
@@ -79,8 +86,8 @@ HalResult SimHal::do_read(Time now, const StateColumns& states) noexcept {
 
 HalResult SimHal::do_write(Time now, const CommandColumns& commands) noexcept {
   PlantCommand& to = thread_ ? thread_->commands().draft() : command_;
-  const HalResult sent = radio_->send(now, to.reaches);
-  translate(commands, to);
+  const HalResult sent = radio_->send(now, to.reaches, to.late);
+  translate(now, commands, to);
   if (thread_) {
     thread_->commands().publish();
     return thread_->failed() ? failed(kThreadFailed) : sent;
@@ -108,7 +115,7 @@ PoseView SimHal::truth() noexcept {
 }
 
 HalResult SimHal::failed(std::string_view cause) const noexcept {
-  return {HalFault::kLinkDown, kEveryRobot, kLink, cause};
+  return {HalFault::kGivenUp, kEveryRobot, config_.name, cause};
 }
 
 }  // namespace mayfly::sim_hal

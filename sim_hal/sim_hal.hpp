@@ -17,6 +17,10 @@
 
 namespace mayfly::sim_hal {
 
+// The link of a HAL's robot, of so many robots: the HAL's own name where it has but one link, else
+// "sim/0" and so on.
+std::string link_name(const std::string& hal, int links, std::size_t robot, std::size_t robots);
+
 // How the robots answer: kVelocity is obeyed until the command's deadline, within the robot's own limits;
 // kLand sinks straight down at 0.5 m/s to the ground, where the motors stop (whoever is below is not minded:
 // that is the guard's); kTakeOff climbs from there to 0.5 m above it; everything else makes a robot hold,

@@ -22,15 +22,16 @@ tl::expected<Summary, std::vector<Error>> fly_simulated(const Scenario& scenario
   }
   VirtualClock clock;
   const Robots robots = make_robots(scenario, ready.places, clock, sim_hal::Backend::kNative);
-  const Sabotage sabotage(scenario, *engine, *robots.hal, clock, nullptr);
+  const Sabotage sabotage(scenario, *engine, clock, nullptr);
   auto flown = fly({.scenario = scenario,
                     .world = ready.world,
                     .engine = sabotage.engine(),
-                    .hal = sabotage.hal(),
+                    .hal = *robots.hal,
                     .truth = robots.truth.get(),
                     .clock = sabotage.clock(),
                     .observers = options.observers,
-                    .stop = sabotage.stop()});
+                    .stop = sabotage.stop(),
+                    .between = [&](GuardPort& guard) { return sabotage.before(guard); }});
   if (!flown) {
     return tl::unexpected(std::vector<Error>{std::move(flown.error())});
   }

@@ -38,6 +38,7 @@ sim_hal::SimHalConfig config_of(const HalSpec& spec, const Scenario& scenario, C
   config.faults = {spec.sim.pose_noise, spec.sim.delay,       spec.sim.dropout,
                    spec.sim.freeze,     spec.sim.freeze_time, spec.sim.nan};
   config.endurance = spec.sim.endurance;
+  config.links = spec.sim.links;
   config.seed = scenario.seed;
   config.lock_step = clock.is_virtual();
   config.clock = &clock;
@@ -64,6 +65,8 @@ std::optional<sim_hal::Effect> effect_of(FaultKind kind) {
   constexpr std::array kEffects{std::pair{FaultKind::kLinkLost, Effect::kLinkLost},
                                 std::pair{FaultKind::kRobotSilent, Effect::kSilent},
                                 std::pair{FaultKind::kLinkDegraded, Effect::kLinkLoss},
+                                std::pair{FaultKind::kLinkLatency, Effect::kLinkLatency},
+                                std::pair{FaultKind::kPoseGhost, Effect::kPoseGhost},
                                 std::pair{FaultKind::kPoseStale, Effect::kPoseStale},
                                 std::pair{FaultKind::kPoseFrozen, Effect::kPoseFrozen},
                                 std::pair{FaultKind::kPoseNan, Effect::kPoseNan},
@@ -145,10 +148,19 @@ class SimTruth final : public GroundTruth {
 
 std::vector<RobotInfo> robot_names(const Scenario& scenario) {
   std::vector<RobotInfo> robots;
-  for (const SwarmSpec& swarm : scenario.swarms) {
+  std::size_t first = 0;  // of the HAL's
+  for (std::size_t s = 0; s < scenario.swarms.size(); ++s) {
+    const SwarmSpec& swarm = scenario.swarms[s];
     for (int i = 0; i < swarm.count; ++i) {
       robots.push_back({name_of(swarm, static_cast<std::size_t>(i)), swarm.robots});
     }
+    const bool is_last = s + 1 == scenario.swarms.size() || scenario.swarms[s + 1].robots != swarm.robots;
+    const std::size_t count = robots.size() - first;
+    for (std::size_t i = 0; i < count && is_last; ++i) {
+      robots[first + i].link =
+          sim_hal::link_name(swarm.robots, spec_of(scenario, swarm.robots).sim.links, i, count);
+    }
+    first = is_last ? robots.size() : first;
   }
   return robots;
 }

@@ -1,28 +1,20 @@
 #include "simulate/sabotage.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <limits>
-#include <numbers>
+#include <iterator>
 #include <utility>
+
+#include "simulate/bad_wishes.hpp"
 
 namespace mayfly::simulate {
 namespace {
 
-std::vector<FaultSpec> faults_at(const Scenario& scenario, std::initializer_list<FaultPlace> places) {
+std::vector<FaultSpec> faults_at(const Scenario& scenario, FaultPlace place) {
   std::vector<FaultSpec> faults;
-  for (const FaultSpec& fault : scenario.faults) {
-    const FaultPlace place = fault_row(fault.kind).place;
-    if (std::find(places.begin(), places.end(), place) != places.end()) {
-      faults.push_back(fault);
-    }
-  }
+  std::copy_if(scenario.faults.begin(), scenario.faults.end(), std::back_inserter(faults),
+               [place](const FaultSpec& fault) { return fault_row(fault.kind).place == place; });
   return faults;
-}
-
-bool is_of_the_link(const FaultSpec& fault) {
-  return fault.kind == FaultKind::kPlannerStall || fault.kind == FaultKind::kCommandReplay;
 }
 
 std::size_t agent(const FaultSpec& fault, std::size_t number) {
@@ -35,24 +27,20 @@ std::size_t agent(const FaultSpec& fault, std::size_t number) {
   return 0;
 }
 
-// A direction of all, new at every tick and for every agent (SplitMix64's mixing, Steele et al. 2014).
-std::array<float, 3> any_direction(std::uint64_t seed, std::uint64_t tick, std::uint64_t who) {
-  std::uint64_t z = seed + 0x9E3779B97F4A7C15U * (tick + 1) + 0xD1B54A32D192ED03U * (who + 1);
-  z = (z ^ (z >> 30U)) * 0xBF58476D1CE4E5B9U;
-  z = (z ^ (z >> 27U)) * 0x94D049BB133111EBU;
-  z ^= z >> 31U;
-  const double up = 2.0 * static_cast<double>(z >> 32U) * 0x1p-32 - 1.0;
-  const double angle = 2.0 * std::numbers::pi * static_cast<double>(z & 0xFFFFFFFFU) * 0x1p-32;
-  const double level = std::sqrt(std::max(0.0, 1.0 - up * up));
-  return {static_cast<float>(level * std::cos(angle)), static_cast<float>(level * std::sin(angle)),
-          static_cast<float>(up)};
+// Through the wall that the direction points at most.
+void move_out(glm::vec3& place, const FaultSpec& fault, const Box& bounds) {
+  int axis = 0;
+  for (int other = 1; other < 3; ++other) {
+    axis = std::fabs(fault.direction[other]) > std::fabs(fault.direction[axis]) ? other : axis;
+  }
+  const auto size = static_cast<float>(fault.size);
+  place[axis] = fault.direction[axis] < 0.0F ? bounds.min[axis] - size : bounds.max[axis] + size;
 }
 
 }  // namespace
 
 struct Sabotage::State {
-  std::vector<FaultSpec> planner, clock, operators;
-  std::uint64_t seed = 0;
+  std::vector<FaultSpec> clock, operators;
   // When the flight began: known from its first plan on, which may be made in a thread of its own.
   std::atomic<Time> origin{Time::min()};
   StopRequest stop{0};
@@ -112,11 +100,6 @@ class Sabotage::BadEngine final : public Engine {
       state_.origin = clock_.now() - from_seconds(tick.time_s);
     }
     const TickCounts counts = engine_.compute(at, tick, out);
-    for (const FaultSpec& fault : state_.planner) {
-      if (fault.is_on(tick.time_s)) {
-        spoil(fault, tick, out);
-      }
-    }
     for (const FaultSpec& fault : state_.clock) {
       if (fault.kind == FaultKind::kTickLate && fault.is_on(tick.time_s)) {
         clock_.sleep_until(clock_.now() + from_seconds(fault.size));
@@ -133,43 +116,18 @@ class Sabotage::BadEngine final : public Engine {
   std::string_view fault() const noexcept override { return engine_.fault(); }
 
  private:
-  void spoil(const FaultSpec& fault, const TickTime& tick, const VelocityColumns& out) const noexcept {
-    constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
-    if (fault.kind != FaultKind::kPlannerNan && fault.kind != FaultKind::kPlannerAbsurd) {
-      return;
-    }
-    for (const StruckAgents& range : fault.agents) {
-      for (std::size_t a = range.first; a < range.first + range.count; ++a) {
-        const auto size = static_cast<float>(fault.size);
-        const auto way = any_direction(state_.seed, tick.number, a);
-        const bool nan = fault.kind == FaultKind::kPlannerNan;
-        out.x[a] = nan ? kNan : size * way[0];
-        out.y[a] = nan ? kNan : size * way[1];
-        out.z[a] = nan ? kNan : size * way[2];
-      }
-    }
-  }
-
   Engine& engine_;
   Clock& clock_;
   State& state_;
 };
 
-Sabotage::Sabotage(const Scenario& scenario, Engine& engine, Hal& hal, Clock& clock, const StopRequest* stop)
-    : engine_(engine), hal_(hal), clock_(clock), stop_(stop), state_(std::make_unique<State>()) {
-  state_->planner = faults_at(scenario, {FaultPlace::kPlanner});
-  state_->clock = faults_at(scenario, {FaultPlace::kClock});
-  state_->operators = faults_at(scenario, {FaultPlace::kOperator});
-  state_->seed = scenario.seed;
-  const bool clocked = !state_->clock.empty() || !state_->operators.empty();
-  if (clocked) {
+Sabotage::Sabotage(const Scenario& scenario, Engine& engine, Clock& clock, const StopRequest* stop)
+    : scenario_(scenario), engine_(engine), clock_(clock), stop_(stop), state_(std::make_unique<State>()) {
+  state_->clock = faults_at(scenario, FaultPlace::kClock);
+  state_->operators = faults_at(scenario, FaultPlace::kOperator);
+  if (!state_->clock.empty() || !state_->operators.empty()) {
     bad_clock_ = std::make_unique<BadClock>(clock, *state_, stop);
-  }
-  if (clocked || !state_->planner.empty()) {
     bad_engine_ = std::make_unique<BadEngine>(engine, clock, *state_);
-  }
-  if (std::any_of(state_->planner.begin(), state_->planner.end(), is_of_the_link)) {
-    bad_link_ = std::make_unique<BadLink>(hal, state_->planner);
   }
 }
 
@@ -178,8 +136,8 @@ Sabotage::~Sabotage() = default;
 Engine& Sabotage::engine() const {
   return bad_engine_ ? *bad_engine_ : engine_;
 }
-Hal& Sabotage::hal() const {
-  return bad_link_ ? *bad_link_ : hal_;
+std::unique_ptr<GuardPort> Sabotage::before(GuardPort& guard) const {
+  return BadWishes::has_any(scenario_) ? std::make_unique<BadWishes>(scenario_, guard) : nullptr;
 }
 Clock& Sabotage::clock() const {
   return bad_clock_ ? *bad_clock_ : clock_;
@@ -193,6 +151,12 @@ std::vector<glm::vec3> start_places(const Scenario& scenario, std::span<const gl
   for (const FaultSpec& fault : scenario.faults) {
     if (fault.kind == FaultKind::kStartTooNear) {
       moved[agent(fault, 1)] = moved[agent(fault, 0)] + static_cast<float>(fault.size) * fault.direction;
+    } else if (fault.kind == FaultKind::kStartOutside) {
+      for (const StruckAgents& range : fault.agents) {
+        for (std::size_t a = range.first; a < range.first + range.count; ++a) {
+          move_out(moved[a], fault, scenario.world.bounds);
+        }
+      }
     }
   }
   return moved;

@@ -10,25 +10,25 @@
 
 #include "controller/engine/engine.hpp"
 #include "controller/flight/flight.hpp"
+#include "controller/guard/guard_port.hpp"
 #include "controller/scenario/scenario.hpp"
 #include "core/clock.hpp"
-#include "core/hal.hpp"
-#include "simulate/bad_link.hpp"
 
 namespace mayfly::simulate {
 
-// Stands in for a flight's engine, HAL, clock and stop request. Where a scenario has no such faults it hands
-// out those that it was given. All of them, and the scenario, outlive it. Everything follows from the
-// scenario's seed and the flight's time.
+// Stands in for a flight's engine, clock and stop request, and before its guard. Where a scenario has no such
+// faults it hands out those that it was given. All of them, and the scenario, outlive it. Everything follows
+// from the scenario's seed and the flight's time.
 class Sabotage {
  public:
-  Sabotage(const Scenario& scenario, Engine& engine, Hal& hal, Clock& clock, const StopRequest* stop);
+  Sabotage(const Scenario& scenario, Engine& engine, Clock& clock, const StopRequest* stop);
   Sabotage(const Sabotage&) = delete;
   Sabotage& operator=(const Sabotage&) = delete;
   ~Sabotage();
 
   Engine& engine() const;
-  Hal& hal() const;  // what the planner writes to
+  // What the planner has for its guard (FlightParts::between); null where it is the guard itself.
+  std::unique_ptr<GuardPort> before(GuardPort& guard) const;
   Clock& clock() const;
   const StopRequest* stop() const;
 
@@ -37,13 +37,12 @@ class Sabotage {
   class BadEngine;
   class BadClock;
 
+  const Scenario& scenario_;
   Engine& engine_;
-  Hal& hal_;
   Clock& clock_;
   const StopRequest* stop_;
   std::unique_ptr<State> state_;
-  std::unique_ptr<BadClock> bad_clock_;  // none where nothing is wrong with it
-  std::unique_ptr<BadLink> bad_link_;
+  std::unique_ptr<BadClock> bad_clock_;    // none where nothing is wrong with it
   std::unique_ptr<BadEngine> bad_engine_;  // none likewise
 };
 

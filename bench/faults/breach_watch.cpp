@@ -9,7 +9,9 @@ namespace {
 
 // Rounding of places and commands to floats, a few metres and metres a second from 0.
 constexpr double kRounding = 1e-5;
-constexpr double kStill = 1e-3;  // m/s
+constexpr double kStill = 1e-3;       // m/s
+constexpr double kSlow = 0.5 + 1e-5;  // m/s, at which a robot is brought down
+constexpr double kBrakes = 0.5;       // of the acceleration limit: a robot may brake less hard than it can
 constexpr Time kForGood = std::chrono::milliseconds(500);
 
 }  // namespace
@@ -52,7 +54,7 @@ void BreachWatch::on_step(const sim_hal::PoseView& truth) noexcept {
 void BreachWatch::on_command(Time now, const CommandColumns& commands) noexcept {
   first_ = first_.value_or(now);
   const double passed = last_ ? to_seconds(now - *last_) : 0.0;
-  std::vector<std::uint8_t> moving(robots_);
+  std::vector<std::uint8_t> moving(robots_), safe(robots_);
   for (std::size_t i = 0; i < robots_; ++i) {
     const bool velocity = commands.kind[i] == CommandKind::kVelocity;
     std::array<double, 3> told{};
@@ -70,6 +72,9 @@ void BreachWatch::on_command(Time now, const CommandColumns& commands) noexcept 
       count(Breach::kAcceleration);
     }
     moving[i] = speed > kStill ? 1 : 0;
+    const double before = std::hypot(told_[i][0], told_[i][1], told_[i][2]);
+    const double slowed = before - kBrakes * static_cast<double>(limits_.acceleration) * passed;
+    safe[i] = !velocity || speed <= std::max(kSlow, slowed) ? 1 : 0;
     told_[i] = told;
     was_velocity_[i] = velocity ? 1 : 0;
     mix(static_cast<float>(told[0]));
@@ -79,6 +84,7 @@ void BreachWatch::on_command(Time now, const CommandColumns& commands) noexcept 
   }
   times_.push_back(now);
   is_moving_.push_back(std::move(moving));
+  is_safe_.push_back(std::move(safe));
   last_ = now;
 }
 
@@ -99,6 +105,20 @@ std::optional<double> BreachWatch::stopped_after(std::size_t robot, Time at) con
     }
   }
   return since ? std::optional(to_seconds(*since - at)) : std::nullopt;
+}
+
+std::optional<std::uint64_t> BreachWatch::safe_after(std::size_t robot, Time at) const {
+  std::uint64_t commands = 0;
+  for (std::size_t k = 0; k < times_.size(); ++k) {
+    if (times_[k] - *first_ < at) {
+      continue;
+    }
+    if (is_safe_[k][robot] != 0) {
+      return commands;
+    }
+    ++commands;
+  }
+  return std::nullopt;
 }
 
 }  // namespace mayfly::bench

@@ -41,6 +41,9 @@ class BreachWatch final : public sim_hal::StepWatcher {
   // s from `at` until the robot was told to stand still, and was so for good or for half a second; empty
   // where it was not.
   std::optional<double> stopped_after(std::size_t robot, Time at) const;
+  // How many commands after the first at or after `at` it was told what is safe: to slow down or to be slow,
+  // to hold, land or stop. 0: with that one; empty: never.
+  std::optional<std::uint64_t> safe_after(std::size_t robot, Time at) const;
 
  private:
   void count(Breach breach) noexcept { ++breaches_[static_cast<std::size_t>(breach)]; }
@@ -52,10 +55,10 @@ class BreachWatch final : public sim_hal::StepWatcher {
   double least_gap_ = std::numeric_limits<double>::infinity();
   std::uint64_t hash_ = 14695981039346656037U;
   std::optional<Time> first_, last_;
-  std::vector<std::array<double, 3>> told_;           // m/s, one a robot, of the last command
-  std::vector<std::uint8_t> was_velocity_;            // whether it was one
-  std::vector<Time> times_;                           // of every command
-  std::vector<std::vector<std::uint8_t>> is_moving_;  // at each of them, one a robot
+  std::vector<std::array<double, 3>> told_;                     // m/s, one a robot, of the last command
+  std::vector<std::uint8_t> was_velocity_;                      // whether it was one
+  std::vector<Time> times_;                                     // of every command
+  std::vector<std::vector<std::uint8_t>> is_moving_, is_safe_;  // at each of them, one a robot
 };
 
 }  // namespace mayfly::bench

@@ -10,6 +10,7 @@
 #include "controller/clock/virtual_clock.hpp"
 #include "controller/flight/flight.hpp"
 #include "controller/flight/noticed.hpp"
+#include "controller/safety/reaction_table.hpp"
 #include "controller/scenario/load.hpp"
 #include "simulate/robots.hpp"
 #include "simulate/sabotage.hpp"
@@ -34,11 +35,12 @@ swarms:
     radius: 0.1
 control: {rate: 50}
 hal:
-  sim: {kind: sim, plant: velocity_lag, time_constant: 0.1, rate: 200, pose_noise: 0.003, delay: 0.02}
+  sim: {kind: sim, plant: velocity_lag, time_constant: 0.1, rate: 200, pose_noise: 0.003, delay: 0.02, links: 2}
 )";
 
-constexpr float kStartApart = 0.8F;  // m
-constexpr float kTooFast = 1.5F;     // the planner's speed, by the limit
+constexpr std::uint64_t kNever = 1'000'000;  // ticks
+constexpr float kStartApart = 0.8F;          // m
+constexpr float kTooFast = 1.5F;             // the planner's speed, by the limit
 
 // Uniform numbers that follow from the seed (SplitMix64, Steele et al. 2014).
 class Chances {
@@ -92,6 +94,9 @@ FaultSpec fault_of(FaultKind kind, std::size_t agents, Chances& chances) {
   }
   const std::size_t one = chances.below(agents);
   fault.agents = {{one, 1}};
+  if (kind == FaultKind::kLinkLost && chances.below(2) == 0) {
+    fault.agents = {{0, agents}};  // else it is one of two links
+  }
   if (row.target == FaultTarget::kPair) {
     fault.agents.push_back({(one + 1 + chances.below(agents - 1)) % agents, 1});
   }
@@ -122,6 +127,32 @@ std::optional<double> stopped_after(const FaultSpec& fault, const BreachWatch& w
     latest = std::max(latest, *after);
   }
   return latest;
+}
+
+bool holds(const FaultEvent& event) {
+  return event.severity == key_of(Severity::kHold) || event.severity == key_of(Severity::kHoldAll) ||
+         event.severity == key_of(Severity::kLand) || event.severity == key_of(Severity::kCut);
+}
+
+// The worst of all that the first telling of the fault's symptom is about. Where all are to hold, all are.
+std::optional<std::uint64_t> safe_after(const FaultSpec& fault, const BreachWatch& watch,
+                                        std::span<const RobotInfo> robots,
+                                        const std::vector<FaultEvent>& events) {
+  const std::string_view cause = info_of(fault_row(fault.kind).symptom).cause;
+  std::optional<std::uint64_t> worst;
+  for (std::size_t robot = 0; robot < robots.size(); ++robot) {
+    const auto told = std::find_if(events.begin(), events.end(), [&](const FaultEvent& event) {
+      const bool of_all = event.robot.empty() || event.severity == key_of(Severity::kHoldAll);
+      return event.time_s >= fault.at && event.cause == cause && holds(event) &&
+             (of_all || event.robot == robots[robot].name);
+    });
+    if (told == events.end()) {
+      continue;
+    }
+    const auto ticks = watch.safe_after(robot, from_seconds(told->time_s) - std::chrono::microseconds(1));
+    worst = std::max(worst.value_or(0), ticks.value_or(kNever));
+  }
+  return worst;
 }
 
 }  // namespace
@@ -161,14 +192,15 @@ Result<FaultFlight> fly_with_faults(const FaultWorld& world, const std::vector<F
   HostileEngine engine(seed, scenario.world.bounds, kTooFast * world.limits.speed);
   const simulate::Robots robots =
       simulate::make_robots(scenario, places, clock, sim_hal::Backend::kNative, &watch);
-  const simulate::Sabotage sabotage(scenario, engine, *robots.hal, clock, nullptr);
+  const simulate::Sabotage sabotage(scenario, engine, clock, nullptr);
   const auto summary = fly({.scenario = scenario,
                             .world = world.ready->world,
                             .engine = sabotage.engine(),
-                            .hal = sabotage.hal(),
+                            .hal = *robots.hal,
                             .truth = robots.truth.get(),
                             .clock = sabotage.clock(),
-                            .stop = sabotage.stop()});
+                            .stop = sabotage.stop(),
+                            .between = [&](GuardPort& guard) { return sabotage.before(guard); }});
   if (!summary) {
     return fail(summary.error());
   }
@@ -180,6 +212,7 @@ Result<FaultFlight> fly_with_faults(const FaultWorld& world, const std::vector<F
   flight.hung = !ends_early && summary->simulated_s < scenario.duration - last_ticks;
   for (const FaultSpec& fault : scenario.faults) {
     flight.seen_after.push_back(noticed_after(scenario, fault, summary->faults));
+    flight.safe_after.push_back(safe_after(fault, watch, robots.hal->robots(), summary->faults));
     flight.stopped_after.push_back(stopped_after(fault, watch, agents));
   }
   return flight;

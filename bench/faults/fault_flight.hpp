@@ -29,6 +29,9 @@ struct FaultFlight {
   // Of each fault, s from its begin: when its symptom was reported, and when all whom the reaction stops were
   // told to stand still. Empty: not within the flight.
   std::vector<std::optional<double>> seen_after, stopped_after;
+  // Of each fault whose symptom made the guard hold or more: how many ticks after that was told all whom it
+  // is about had been told what is safe. Empty where nothing was told.
+  std::vector<std::optional<std::uint64_t>> safe_after;
 };
 
 // Faults begin and end at times of chance, and strike robots of chance: all from `seed`.

@@ -30,6 +30,9 @@ void add(FaultCell& cell, const FaultFlight& flight, std::uint64_t seed, double 
   const FaultRow& row = fault_row(cell.faults.front());
   const double bound = row.bound_s + row.bound_ticks * period_s + kRounding;
   cell.late += flight.seen_after.front() && *flight.seen_after.front() > bound ? 1U : 0U;
+  if (const auto& safe = flight.safe_after.front()) {
+    cell.safe_after = std::max(cell.safe_after.value_or(0), *safe);
+  }
   bool bad = false;
   for (std::size_t b = 0; b < kBreaches; ++b) {
     cell.breaches[b] += flight.breaches[b];
@@ -126,6 +129,9 @@ Result<FaultMatrix> sweep_faults(const FaultsPlan& plan) {
   for (const FaultCell& cell : matrix.cells) {
     matrix.flights += cell.flights;
     matrix.hung += cell.hung;
+    matrix.late += cell.late;
+    matrix.unseen += cell.flights - cell.seen.count;
+    matrix.slow += cell.safe_after.value_or(0) > 1 ? 1U : 0U;
     for (const std::uint64_t breaches : cell.breaches) {
       matrix.breaches += breaches;
     }

@@ -32,6 +32,8 @@ struct FaultCell {
   std::uint64_t flights = 0;
   Delays seen{}, stopped{};  // of the first fault
   std::uint64_t late = 0;    // flights in which its symptom came later than its bound
+  // Ticks from a telling of its symptom that holds somebody to the last of the safe commands; the worst.
+  std::optional<std::uint64_t> safe_after{};
   BreachCounts breaches{};
   double least_gap = std::numeric_limits<double>::infinity();  // m
   std::uint64_t hung = 0;
@@ -42,6 +44,8 @@ struct FaultCell {
 struct FaultMatrix {
   std::vector<FaultCell> cells;
   std::uint64_t seeds = 0, flights = 0, breaches = 0, hung = 0;
+  std::uint64_t late = 0, unseen = 0;  // flights, as of their first fault
+  std::uint64_t slow = 0;  // cells in which a safe command came later than a tick after the symptom
   double took_s = 0.0;
 };
 

@@ -26,6 +26,10 @@ std::string text_of(const Delays& delays) {
   return delays.count == 0 ? "-" : fmt::format("{}, {:.0f} ms", delays.count, 1e3 * delays.longest);
 }
 
+std::string text_of_ticks(const std::optional<std::uint64_t>& ticks) {
+  return ticks ? fmt::format("{} tick{}", *ticks, *ticks == 1 ? "" : "s") : "-";
+}
+
 std::string text_of(const BreachCounts& breaches) {
   return fmt::format("{} {} {} {}", breaches[0], breaches[1], breaches[2], breaches[3]);
 }
@@ -42,6 +46,7 @@ Json json_of(const FaultCell& cell) {
           {"flights", cell.flights},
           {"seen", json_of(cell.seen)},
           {"late", cell.late},
+          {"safe_after_ticks", cell.safe_after ? Json(*cell.safe_after) : Json()},
           {"stopped", json_of(cell.stopped)},
           {"breaches",
            {{"separation", cell.breaches[0]},
@@ -61,22 +66,26 @@ std::string to_text(const FaultMatrix& matrix) {
   for (const FaultCell& cell : matrix.cells) {
     width = std::max(width, name_of(cell.faults).size());
   }
-  std::string text =
-      fmt::format("{:<{}}  {:<11}  {:<17}  {:<12}  {:<4}  {:<12}  {:<20}  {:>9}  {}\n", "fault", width,
-                  "at least", "within", "seen", "late", "told to stop", "breaches", "least gap", "hung");
+  std::string text = fmt::format("{:<{}}  {:<11}  {:<17}  {:<14}  {:<4}  {:<7}  {:<14}  {:<20}  {:>9}  {}\n",
+                                 "fault", width, "at least", "within", "seen", "late", "safe", "told to stop",
+                                 "breaches", "least gap", "hung");
   for (const FaultCell& cell : matrix.cells) {
     const FaultRow& row = fault_row(cell.faults.front());
-    text += fmt::format("{:<{}}  {:<11}  {:<17}  {:<12}  {:<4}  {:<12}  {:<20}  {:>7.3f} m  {}{}\n",
+    text += fmt::format("{:<{}}  {:<11}  {:<17}  {:<14}  {:<4}  {:<7}  {:<14}  {:<20}  {:>7.3f} m  {}{}\n",
                         name_of(cell.faults), width, mayfly::name_of(row.reaction), bound_text(row),
-                        text_of(cell.seen), cell.late, text_of(cell.stopped), text_of(cell.breaches),
-                        cell.least_gap, cell.hung,
+                        text_of(cell.seen), cell.late, text_of_ticks(cell.safe_after), text_of(cell.stopped),
+                        text_of(cell.breaches), cell.least_gap, cell.hung,
                         cell.first_bad ? fmt::format("  seed {}", *cell.first_bad) : "");
   }
-  text += fmt::format("{} flights in {:.1f} s: {} breaches, {} hung; wanted none\n", matrix.flights,
-                      matrix.took_s, matrix.breaches, matrix.hung);
+  text += fmt::format(
+      "{} flights in {:.1f} s: {} breaches, {} hung, {} unseen, {} late, {} rows slow to a "
+      "safe command; wanted none\n",
+      matrix.flights, matrix.took_s, matrix.breaches, matrix.hung, matrix.unseen, matrix.late, matrix.slow);
   return text +
-         "seen, told to stop: in how many flights, and the longest after the fault began. breaches: of "
-         "separation, fence,\nspeed and acceleration.\n";
+         "seen, told to stop: in how many flights, and the longest after the fault began. late: in how many "
+         "it "
+         "was seen later\nthan it had to be. safe: the most ticks from a symptom that holds somebody to the "
+         "last safe command of all it is about.\nbreaches: of separation, fence, speed and acceleration.\n";
 }
 
 std::string to_json(const FaultMatrix& matrix) {
@@ -85,7 +94,8 @@ std::string to_json(const FaultMatrix& matrix) {
     cells.push_back(json_of(cell));
   }
   const Json document{{"bench", "faults"},           {"seeds", matrix.seeds}, {"flights", matrix.flights},
-                      {"breaches", matrix.breaches}, {"hung", matrix.hung},   {"took_s", matrix.took_s},
+                      {"breaches", matrix.breaches}, {"hung", matrix.hung},   {"unseen", matrix.unseen},
+                      {"late", matrix.late},         {"slow", matrix.slow},   {"took_s", matrix.took_s},
                       {"faults", std::move(cells)}};
   return document.dump(2) + "\n";
 }

@@ -11,11 +11,11 @@ namespace mayfly {
 namespace {
 
 constexpr std::array<FaultRow, kFaultKinds> kRows{{
-    {FaultKind::kLinkLost, "link_lost", FaultPlace::kRobots, FaultTarget::kEverybody, FaultSize::kNone, 0.0,
+    {FaultKind::kLinkLost, "link_lost", FaultPlace::kRobots, FaultTarget::kRobots, FaultSize::kNone, 0.0,
      Symptom::kLinkLost, Severity::kHoldAll, 0.1, 1,
-     "The link of every HAL answers nothing and carries nothing; the robots obey their last command until "
-     "its "
-     "deadline."},
+     "The link of the robots answers nothing and carries nothing, for all who are on it; they obey their "
+     "last "
+     "command until its deadline."},
     {FaultKind::kRobotSilent, "robot_silent", FaultPlace::kRobots, FaultTarget::kRobots, FaultSize::kNone,
      0.0, Symptom::kSilent, Severity::kHold, 0.2, 1,
      "Nothing is heard of the robot, and no command reaches it; its pose is measured from outside, and goes "
@@ -23,6 +23,9 @@ constexpr std::array<FaultRow, kFaultKinds> kRows{{
     {FaultKind::kLinkDegraded, "link_degraded", FaultPlace::kRobots, FaultTarget::kRobots, FaultSize::kShare,
      0.5, Symptom::kLinkDegraded, Severity::kReport, 1.0, 1,
      "This share of the polls and of the commands is lost."},
+    {FaultKind::kLinkLatency, "link_latency", FaultPlace::kRobots, FaultTarget::kRobots, FaultSize::kTime,
+     0.04, Symptom::kLinkDegraded, Severity::kReport, 1.0, 1,
+     "Commands and answers are so late; an answer that is later than the next poll counts as none."},
     {FaultKind::kPoseStale, "pose_stale", FaultPlace::kRobots, FaultTarget::kRobots, FaultSize::kNone, 0.0,
      Symptom::kStalePose, Severity::kHold, 0.1, 2, "No pose of the robot comes."},
     {FaultKind::kPoseFrozen, "pose_frozen", FaultPlace::kRobots, FaultTarget::kRobots, FaultSize::kNone, 0.0,
@@ -32,6 +35,11 @@ constexpr std::array<FaultRow, kFaultKinds> kRows{{
      Symptom::kPoseNotFinite, Severity::kReport, 0.0, 1, "The pose is not a number, and claims to be valid."},
     {FaultKind::kPoseJump, "pose_jump", FaultPlace::kRobots, FaultTarget::kRobots, FaultSize::kDistance, 1.0,
      Symptom::kPoseJump, Severity::kReport, 0.0, 1, "The pose is told this far from where the robot is."},
+    {FaultKind::kPoseGhost, "pose_ghost", FaultPlace::kRobots, FaultTarget::kRobots, FaultSize::kDistance,
+     1.0, Symptom::kPoseJump, Severity::kReport, 0.0, 1,
+     "Something so far away is tracked under the robot's name as well: its pose and the robot's come in "
+     "turn, "
+     "every 30 ms."},
     {FaultKind::kIdSwap, "id_swap", FaultPlace::kRobots, FaultTarget::kPair, FaultSize::kNone, 0.0,
      Symptom::kIdSwap, Severity::kHoldAll, 0.0, 3, "Two robots are told in each other's place."},
     {FaultKind::kWind, "wind", FaultPlace::kRobots, FaultTarget::kRobots, FaultSize::kSpeed, 0.5,
@@ -42,6 +50,9 @@ constexpr std::array<FaultRow, kFaultKinds> kRows{{
      "This share is left of the robot's speed and acceleration."},
     {FaultKind::kStartTooNear, "start_too_near", FaultPlace::kStart, FaultTarget::kPair, FaultSize::kDistance,
      0.15, Symptom::kTooNear, Severity::kClamp, 0.0, 1, "The second robot starts this far from the first."},
+    {FaultKind::kStartOutside, "start_outside", FaultPlace::kStart, FaultTarget::kRobots,
+     FaultSize::kDistance, 0.3, Symptom::kOutOfFence, Severity::kClamp, 0.0, 1,
+     "The robot starts so far outside of `world.bounds`."},
     {FaultKind::kBatteryLow, "battery_low", FaultPlace::kRobots, FaultTarget::kRobots, FaultSize::kShare,
      0.15, Symptom::kBatteryLow, Severity::kReport, 1.0, 1, "No more than this share of the charge is left."},
     {FaultKind::kBatteryCritical, "battery_critical", FaultPlace::kRobots, FaultTarget::kRobots,
@@ -56,14 +67,15 @@ constexpr std::array<FaultRow, kFaultKinds> kRows{{
      FaultSize::kNone, 0.0, Symptom::kPlannerStalled, Severity::kReport, 0.1, 2,
      "The planner's last wish stays what it was, with its old deadline and number."},
     {FaultKind::kPlannerAbsurd, "planner_absurd", FaultPlace::kPlanner, FaultTarget::kRobots,
-     FaultSize::kSpeed, 1e6, Symptom::kCount, Severity::kClamp, 0.0, 1,
+     FaultSize::kSpeed, 1e6, Symptom::kCommandAbsurd, Severity::kClamp, 0.0, 1,
      "The planner wants this velocity, in a direction that is new at every tick."},
     {FaultKind::kPlannerNan, "planner_nan", FaultPlace::kPlanner, FaultTarget::kRobots, FaultSize::kNone, 0.0,
      Symptom::kCommandNotFinite, Severity::kReport, 0.0, 1,
      "The planner wants a velocity that is not a number."},
     {FaultKind::kCommandReplay, "command_replay", FaultPlace::kPlanner, FaultTarget::kEverybody,
-     FaultSize::kNone, 0.0, Symptom::kCommandRefused, Severity::kReport, 0.0, 1,
-     "A wish of the past comes again, with a fresh deadline and its old number."},
+     FaultSize::kTime, 0.5, Symptom::kCommandRefused, Severity::kReport, 0.0, 1,
+     "A wish that is so old comes again, with a fresh deadline and its old number; of one tick's age it has "
+     "been overtaken."},
     {FaultKind::kTickLate, "tick_late", FaultPlace::kClock, FaultTarget::kEverybody, FaultSize::kTime, 0.03,
      Symptom::kTickLate, Severity::kReport, 0.1, 1, "Planning takes this long, at every tick."},
     {FaultKind::kTickGap, "tick_gap", FaultPlace::kClock, FaultTarget::kEverybody, FaultSize::kTime, 0.5,

@@ -54,7 +54,11 @@ std::optional<double> measured(const Expectation& expectation, const Summary& su
     case Quantity::kClosing:
     case Quantity::kNoticed:
     case Quantity::kInfeasible:
+    case Quantity::kReacted:
       return asked;
+    case Quantity::kSafetyBreaches:
+      return summary.safety.breaches ? std::optional(static_cast<double>(summary.safety.breaches->all()))
+                                     : std::nullopt;
   }
   return std::nullopt;
 }

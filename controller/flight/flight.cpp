@@ -61,7 +61,9 @@ Result<Summary> fly(const FlightParts& parts) {
   if (parts.guard == nullptr) {
     own_guard.emplace(guard_config(parts.scenario, parts.world, motion, parts.clock), parts.hal);
   }
-  GuardPort& guard = parts.guard == nullptr ? *own_guard : *parts.guard;
+  GuardPort& nearest = parts.guard == nullptr ? *own_guard : *parts.guard;
+  const std::unique_ptr<GuardPort> between = parts.between ? parts.between(nearest) : nullptr;
+  GuardPort& guard = between ? *between : nearest;
   if (auto configured = guard.configure(); !configured) {
     return fail(std::move(configured.error()));
   }

@@ -4,6 +4,8 @@
 #include <atomic>
 #include <cstdint>
 #include <functional>
+#include <memory>
+#include <optional>
 #include <span>
 #include <string>
 
@@ -28,6 +30,8 @@ class GroundTruth {
  public:
   virtual ~GroundTruth() = default;
   virtual void truth(const StateColumns& columns) const noexcept = 0;
+  // Of what is promised of them, so far; empty where nobody looks.
+  virtual std::optional<BreachSummary> breaches() const noexcept { return std::nullopt; }
 };
 
 // How far a flight is, for whoever shows it; written by the control thread, read by any.
@@ -48,6 +52,9 @@ struct FlightParts {
   FlightGauge* gauge = nullptr;
   // Where the guard is somewhere else (another process): then `hal` is not touched, but for its name.
   GuardPort* guard = nullptr;
+  // Puts something between the planner and its guard, for the whole flight; may answer null. Simulated faults
+  // of planners do.
+  std::function<std::unique_ptr<GuardPort>(GuardPort&)> between{};
   // Called when all is over, where the guard's black box has kept something (docs/explanation/guard.md).
   std::function<void(const BlackBoxTape&)> keep_tape{};
 };

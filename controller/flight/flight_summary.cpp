@@ -28,6 +28,8 @@ std::vector<std::optional<double>> asked_for(const Scenario& scenario, const Met
       asked[i] = infeasible;
     } else if (scenario.expect[i].quantity == Expectation::Quantity::kNoticed) {
       asked[i] = noticed_after(scenario, scenario.expect[i].fault, faults);
+    } else if (scenario.expect[i].quantity == Expectation::Quantity::kReacted) {
+      asked[i] = reacted_after(scenario, scenario.expect[i].fault, scenario.expect[i].severity, faults);
     }
   }
   return asked;
@@ -74,6 +76,7 @@ Summary FlightLoop::summarise(ControlSummary timing, double wall_s) const {
   s.governor_interventions = guard_.report().governor.interventions;
   s.faults = with_reactions(faults_.told(guard_.robots()), guard_, began_);
   s.safety = told_of(guard_);
+  s.safety.breaches = parts_.truth == nullptr ? std::nullopt : parts_.truth->breaches();
   s.control = std::move(timing);
   s.preprocessing_s = parts_.world.preprocessing;
   if (const FieldPlanner& planner = planner_; planner.keeper() != nullptr) {

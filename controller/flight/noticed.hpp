@@ -14,8 +14,15 @@ namespace mayfly {
 std::optional<double> noticed_after(const Scenario& scenario, const FaultSpec& fault,
                                     const std::vector<FaultEvent>& events);
 
-// The longest of all faults of the kind; empty where one was not noticed, or there is none.
+// s from the fault's begin to the first reaction at least as severe, for one whom it strikes or for
+// everybody; empty where there is none.
+std::optional<double> reacted_after(const Scenario& scenario, const FaultSpec& fault, Severity at_least,
+                                    const std::vector<FaultEvent>& events);
+
+// The longest of all faults of the kind; empty where one was not noticed (or answered), or there is none.
 std::optional<double> noticed_after(const Scenario& scenario, FaultKind kind,
+                                    const std::vector<FaultEvent>& events);
+std::optional<double> reacted_after(const Scenario& scenario, FaultKind kind, Severity at_least,
                                     const std::vector<FaultEvent>& events);
 
 }  // namespace mayfly

@@ -61,6 +61,15 @@ struct FaultEvent {
   std::string severity{};  // of the guard's reaction: "hold"; empty where it had none
 };
 
+// How often what is promised of the robots did not hold, by their true places and by what they were told.
+struct BreachSummary {
+  std::uint64_t separation = 0;    // pair-steps of bodies that touch
+  std::uint64_t fence = 0;         // robot-steps outside
+  std::uint64_t speed = 0;         // commands
+  std::uint64_t acceleration = 0;  // commands
+  std::uint64_t all() const { return separation + fence + speed + acceleration; }
+};
+
 // What the guard did; docs/explanation/guard.md.
 struct SafetySummary {
   std::string severity_max = "none";                              // the worst that any robot had at any tick
@@ -69,6 +78,7 @@ struct SafetySummary {
   std::uint64_t wishes_refused = 0;                               // out of sequence
   std::uint64_t stalled_ticks = 0;                                // without a wish that was young enough
   std::uint64_t incidents = 0;                                    // for which a black box was sealed
+  std::optional<BreachSummary> breaches;                          // empty where the truth is not known
 };
 
 struct ExpectationResult {

@@ -29,6 +29,14 @@ std::size_t robots_of(const GovernorConfig& config) {
   return config.groups.empty() ? 0 : config.groups.back().first + config.groups.back().count;
 }
 
+std::vector<float> speeds_of(const GovernorConfig& config) {
+  std::vector<float> speeds;
+  for (const GovernorGroup& group : config.groups) {
+    speeds.insert(speeds.end(), group.count, group.limits.speed);
+  }
+  return speeds;
+}
+
 std::vector<Reactions::Robot> watched(const GuardConfig& config, std::span<const RobotInfo> robots) {
   std::vector<std::string> links;
   std::vector<Reactions::Robot> all;
@@ -130,7 +138,7 @@ Guard::Guard(GuardConfig config, Hal& hal, Estimator estimator, Governor governo
       robots_(hal.robots().size()),
       estimator_(std::move(estimator)),
       telemetry_(robots_, config_.telemetry),
-      wish_(robots_, config_.most_plan_age),
+      wish_(robots_, config_.most_plan_age, speeds_of(config_.governor)),
       lives_(config_.life_cycle),
       reactions_(watched(config_, hal.robots())),
       orders_(orders_config(config_)),
@@ -168,6 +176,9 @@ HalResult Guard::sense(Time now) noexcept {
 
 // A link that is down silences those who are on it, or everybody where it is not said which.
 void Guard::note_link(const HalResult& result) noexcept {
+  if (result.fault == HalFault::kGivenUp) {
+    tell(Symptom::kSimulationFailed);
+  }
   if (result.fault != HalFault::kLinkDown) {
     return;
   }

@@ -53,6 +53,8 @@ class Guard {
   // a lost link, a late tick of the caller's. Fresh every tick: tell it again as long as it is so.
   void tell(Symptom of_everybody) noexcept { told_.add(of_everybody); }
   void tell(RobotIndex robot, Symptom symptom) noexcept { told_of_[robot].add(symptom); }
+  // A wish was refused on its way here, out of sequence: told in the next act().
+  void refuse_wish() noexcept { wish_.refuse(); }
   // 0 for robots that are not there: nobody minds them, and they are told to hold. Empty: all are there. The
   // column is read in each act().
   void set_present(std::span<const std::uint8_t> present) noexcept { present_ = present; }

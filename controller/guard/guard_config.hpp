@@ -28,7 +28,7 @@ struct GuardConfig {
   // m/s, at which a robot that must land (R4) is brought down through the governor, as far as the fence
   // reaches, before it is told to land; 0: it is told at once where it has come to rest.
   float descent = 0.5F;
-  // The run's clock, asked when a tick ends; null on a virtual one. Then a tick that took longer than
+  // The run's clock, asked when a tick ends; null: time is not watched. Else a tick that took longer than
   // `tick_budget` and a gap of several periods are seen (I12, kTickLate, kTickGap).
   const Clock* clock = nullptr;
   Time tick_budget{0};

@@ -43,6 +43,7 @@ class GuardedHal final : public GuardPort {
   HalResult do_read(Time now, const StateColumns& states) noexcept override;
   HalResult do_write(Time now, const CommandColumns& wish) noexcept override;
   Result<void> do_deactivate(Time now) override { return robots_.deactivate(now); }
+  void on_refused() noexcept override { guard_->refuse_wish(); }
 
   GuardConfig config_;
   Hal& robots_;

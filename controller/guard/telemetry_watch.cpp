@@ -18,7 +18,7 @@ void TelemetryWatch::update(Time now, std::span<const Telemetry> telemetry, std:
     symptoms_[robot] = {};
     const Telemetry& told = telemetry[robot];
     heard_[robot] = heard_[robot] != 0 || known[robot] != 0 || told.heard > Time{0} ? 1 : 0;
-    const Time heard = std::max(told.heard, stamp[robot]);
+    const Time heard = told.heard > Time{0} ? told.heard : stamp[robot];
     if (heard_[robot] != 0 && now - heard > limits_.silent_after) {
       symptoms_[robot].add(Symptom::kSilent);
     }

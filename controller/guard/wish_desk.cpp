@@ -2,11 +2,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace mayfly {
+namespace {
 
-WishDesk::WishDesk(std::size_t robots, Time most_age)
+constexpr float kAbsurdShare = 2.0F;  // of what a robot can do
+
+}  // namespace
+
+WishDesk::WishDesk(std::size_t robots, Time most_age, std::vector<float> limits)
     : most_age_(most_age),
+      limits_(std::move(limits)),
       kind_(robots, CommandKind::kNone),
       vx_(robots),
       vy_(robots),
@@ -16,13 +23,23 @@ WishDesk::WishDesk(std::size_t robots, Time most_age)
 void WishDesk::reset() noexcept {
   sequence_ = 0;
   is_stalled_ = true;
+  was_refused_ = false;
   everybody_ = {};
   std::fill(kind_.begin(), kind_.end(), CommandKind::kNone);
   std::fill(symptoms_.begin(), symptoms_.end(), Symptoms{});
 }
 
+void WishDesk::refuse() noexcept {
+  was_refused_ = true;
+  ++counters_.refused;
+}
+
 void WishDesk::judge(Time now, const CommandColumns& wish) noexcept {
   everybody_ = {};
+  if (was_refused_) {
+    everybody_.add(Symptom::kCommandRefused);
+    was_refused_ = false;
+  }
   if (wish.sequence != sequence_ && !is_in_order(wish)) {
     everybody_.add(Symptom::kCommandRefused);
     ++counters_.refused;
@@ -69,9 +86,18 @@ void WishDesk::take_robot(std::size_t robot, const CommandColumns& wish) noexcep
     ++counters_.not_finite;
     return;
   }
+  if (kind_[robot] == CommandKind::kVelocity && is_absurd(robot, wish)) {
+    symptoms_[robot].add(Symptom::kCommandAbsurd);
+    ++counters_.absurd;
+  }
   vx_[robot] = wish.vx[robot];
   vy_[robot] = wish.vy[robot];
   vz_[robot] = wish.vz[robot];
+}
+
+bool WishDesk::is_absurd(std::size_t robot, const CommandColumns& wish) const noexcept {
+  return !limits_.empty() &&
+         std::hypot(wish.vx[robot], wish.vy[robot], wish.vz[robot]) > kAbsurdShare * limits_[robot];
 }
 
 }  // namespace mayfly

@@ -16,19 +16,27 @@ struct WishCounters {
   std::uint64_t refused = 0;       // whole wishes: out of sequence, or columns too short
   std::uint64_t not_finite = 0;    // robot-ticks whose velocity was not a number
   std::uint64_t unknown_kind = 0;  // robot-ticks whose kind does not exist
+  std::uint64_t absurd = 0;        // new wishes of a robot that are far beyond its speed
   std::uint64_t stalled = 0;       // ticks without a wish that may be flown
 };
 
+// A velocity of more than twice what the robot can do is flown as far as the governor lets it, and told: no
+// planner that knows its robots wants it.
+//
 // A wish may be handed over as often as one likes: it is taken once, by its sequence number. One with a lower
 // number is refused (replayed, or late), and the one before stays. It may be flown until its own deadline,
 // but no longer than `most_age` after it was taken: a planner cannot wish for ever.
 class WishDesk {
  public:
-  WishDesk(std::size_t robots, Time most_age);
+  // `limits`: m/s, what each robot can do, one element a robot; empty: nothing is absurd.
+  WishDesk(std::size_t robots, Time most_age, std::vector<float> limits = {});
 
   // Forgets all; sequence numbers begin anew.
   void reset() noexcept;
   void judge(Time now, const CommandColumns& wish) noexcept;
+
+  // Somebody before has refused a whole wish; counted here, and told by the next judge().
+  void refuse() noexcept;
 
   // As of the last judge(). kNone where nothing is wished of a robot, or may not be; velocities are finite
   // where the kind is kVelocity.
@@ -50,7 +58,10 @@ class WishDesk {
   void take(Time now, const CommandColumns& wish) noexcept;
   void take_robot(std::size_t robot, const CommandColumns& wish) noexcept;
 
+  bool is_absurd(std::size_t robot, const CommandColumns& wish) const noexcept;
+
   Time most_age_;
+  std::vector<float> limits_;
   std::vector<CommandKind> kind_;
   std::vector<float> vx_, vy_, vz_;
   std::vector<Symptoms> symptoms_;
@@ -58,6 +69,7 @@ class WishDesk {
   std::uint64_t sequence_ = 0;
   Time deadline_{0};
   bool is_stalled_ = true;
+  bool was_refused_ = false;
   WishCounters counters_;
 };
 

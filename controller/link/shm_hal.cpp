@@ -152,7 +152,7 @@ HalResult ShmHal::link_state(Time now) const noexcept {
 }
 
 HalResult ShmHal::told(const Event& event) noexcept {
-  const auto fault = event.fault > static_cast<std::uint32_t>(HalFault::kMisencoded)
+  const auto fault = event.fault > static_cast<std::uint32_t>(HalFault::kGivenUp)
                          ? HalFault::kLinkDown
                          : static_cast<HalFault>(event.fault);
   auto text = std::find_if(texts_.begin(), texts_.end(), [&](const Text& known) {

@@ -24,6 +24,7 @@ enum class Symptom : std::uint8_t {
   kBatteryUnknown,  // not a number, or a jump
   kCommandRefused,  // expired, out of sequence, or in a state that does not allow it
   kCommandNotFinite,
+  kCommandAbsurd,    // a velocity far beyond what it can do
   kLimitBroken,      // the command that would have been sent is beyond speed or acceleration: ours to mend
   kInvariantBroken,  // another invariant of what is sent does not hold: ours as well
   // Of everybody.

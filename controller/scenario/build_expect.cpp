@@ -4,6 +4,7 @@
 #include <array>
 #include <string_view>
 
+#include "controller/safety/reaction_table.hpp"
 #include "controller/scenario/names.hpp"
 #include "controller/scenario/numbers.hpp"
 #include "controller/scenario/suggest.hpp"
@@ -19,7 +20,7 @@ struct QuantityKey {
 };
 
 // In the order of Expectation::Quantity.
-constexpr std::array<QuantityKey, 26> kQuantities = {{{"reached", "fraction"},
+constexpr std::array<QuantityKey, 28> kQuantities = {{{"reached", "fraction"},
                                                       {"min_separation", nullptr},
                                                       {"penetrations", nullptr},
                                                       {"collisions", nullptr},
@@ -44,7 +45,9 @@ constexpr std::array<QuantityKey, 26> kQuantities = {{{"reached", "fraction"},
                                                       {"parting", "ratio"},
                                                       {"closing", "ratio"},
                                                       {"noticed", "within"},
-                                                      {"infeasible", nullptr}}};
+                                                      {"infeasible", nullptr},
+                                                      {"reacted", "within"},
+                                                      {"safety_breaches", nullptr}}};
 
 void read_measure(Expectation& result, const std::string& written) {
   const auto comparison = read_comparison(written);
@@ -153,13 +156,17 @@ void build_noticed(Expectation& result, const Values& values, const Scenario& sc
   const FaultRow& row = fault_rows()[static_cast<std::size_t>(values.choice("fault"))];
   result.fault = row.kind;
   result.text += " " + std::string(row.name);
-  if (row.symptom == Symptom::kCount) {
-    findings.error(values.mark("fault"), fmt::format("'{}' has no symptom to be noticed by", row.name));
-  } else if (std::none_of(scenario.faults.begin(), scenario.faults.end(),
-                          [&](const FaultSpec& fault) { return fault.kind == row.kind; })) {
+  if (std::none_of(scenario.faults.begin(), scenario.faults.end(),
+                   [&](const FaultSpec& fault) { return fault.kind == row.kind; })) {
     findings.error(values.mark("fault"), fmt::format("nothing of the kind '{}' goes wrong", row.name), "",
                    "one of those in 'faults'");
   }
+}
+
+void build_reacted(Expectation& result, const Values& values, const Scenario& scenario, Findings& findings) {
+  build_noticed(result, values, scenario, findings);
+  result.severity = static_cast<Severity>(1 + values.choice("at_least"));
+  result.text += fmt::format(" by {}", key_of(result.severity));
 }
 
 Expectation build_expectation(const Values& values, const Scenario& scenario, Findings& findings) {
@@ -180,6 +187,8 @@ Expectation build_expectation(const Values& values, const Scenario& scenario, Fi
     build_reached(result, map, scenario, findings);
   } else if (result.quantity == Quantity::kNoticed) {
     build_noticed(result, map, scenario, findings);
+  } else if (result.quantity == Quantity::kReacted) {
+    build_reacted(result, map, scenario, findings);
   } else {
     build_motion(result, map, scenario, findings);
   }

@@ -50,7 +50,8 @@ std::size_t agents_of(const Scenario& scenario) {
 }
 
 bool has_direction(FaultKind kind) {
-  return kind == FaultKind::kWind || kind == FaultKind::kPoseJump || kind == FaultKind::kStartTooNear;
+  return kind == FaultKind::kWind || kind == FaultKind::kPoseJump || kind == FaultKind::kPoseGhost ||
+         kind == FaultKind::kStartTooNear || kind == FaultKind::kStartOutside;
 }
 
 // "flies" or "flies_3"; nothing, and an error, where there is no such robot.

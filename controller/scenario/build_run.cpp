@@ -26,6 +26,7 @@ SimHalSpec build_sim(const Values& values, float control_rate, Findings& finding
   sim.freeze_time = values.number_f("freeze_time");
   sim.nan = values.number_f("nan");
   sim.endurance = values.maybe_number("endurance").value_or(0.0F);
+  sim.links = static_cast<int>(values.integer("links"));
   if (sim.rate < control_rate) {
     findings.error(values.mark("rate"), "the plant would be stepped more slowly than it is controlled",
                    fmt::format("{:g} Hz", sim.rate),

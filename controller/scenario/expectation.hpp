@@ -6,6 +6,7 @@
 #include <string>
 
 #include "controller/faults/fault_table.hpp"
+#include "controller/safety/symptoms.hpp"
 
 namespace mayfly {
 
@@ -36,7 +37,9 @@ struct Expectation {
     kParting,           // the largest spread from an encounter with a stimulus on, by that at its start
     kClosing,           // the spread of the flight's last tenth, by that at the start of the encounter
     kNoticed,           // s, the longest from a fault's begin until its symptom was reported
-    kInfeasible         // share of the agent-ticks of swarms with avoidance
+    kInfeasible,        // share of the agent-ticks of swarms with avoidance
+    kReacted,           // s, the longest from a fault's begin until a reaction as severe as `severity`
+    kSafetyBreaches     // of all that is promised of the robots, by their true places
   };
   enum class Comparison { kGreaterEqual, kLessEqual, kEqual, kGreater, kLess };
   Quantity quantity = Quantity::kPenetrations;
@@ -48,7 +51,8 @@ struct Expectation {
   std::optional<glm::vec3> around{};    // m, kTurns only: where the axis stands
   std::string stimulus{};               // of those that are about one
   float within = 0.0F;                  // m, kArrived only
-  FaultKind fault = FaultKind::kCount;  // kNoticed only
+  FaultKind fault = FaultKind::kCount;  // kNoticed, kReacted
+  Severity severity = Severity::kNone;  // kReacted only
   std::optional<double> at{};           // s, kArrived only: when; empty: at the flight's end
 };
 

@@ -154,6 +154,7 @@ struct SimHalSpec {
   float freeze_time = 0.5F;  // s
   float nan = 0.0F;          // probability that one sample is NaN
   float endurance = 0.0F;    // s that a full battery lasts; 0: for ever
+  int links = 1;             // that its robots are dealt to in equal parts
 };
 
 struct HalSpec {

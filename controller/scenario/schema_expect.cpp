@@ -2,6 +2,7 @@
 #include <string>
 
 #include "controller/faults/fault_table.hpp"
+#include "controller/safety/reaction_table.hpp"
 #include "controller/scenario/schema_rows.hpp"
 
 namespace mayfly {
@@ -16,6 +17,15 @@ void add_swarm_quantity(Rows& rows, const std::string& path, const std::string& 
                   .type = KeyType::kName,
                   .fallback_text = "the swarm, where there is only one",
                   .text = "Which swarm."});
+}
+
+// "report" to "cut"
+std::vector<std::string> severity_names() {
+  std::vector<std::string> names;
+  for (std::size_t s = 1; s < kSeverities; ++s) {
+    names.emplace_back(key_of(static_cast<Severity>(s)));
+  }
+  return names;
 }
 
 void add_measure(Rows& rows, const std::string& path, const std::string& unit, const std::string& text,
@@ -185,6 +195,28 @@ void add_expect_rows(Rows& rows) {
                   .text = "Which of `faults`."});
   add_measure(rows, at + ".noticed.within", "s",
               "The longest from the begin of such a fault to the first report of one whom it strikes.", 1e6);
+  rows.push_back({.path = at + ".reacted",
+                  .type = KeyType::kMap,
+                  .group = "quantity",
+                  .text = "How soon the guard does something about a fault that the scenario injects."});
+  rows.push_back({.path = at + ".reacted.fault",
+                  .type = KeyType::kChoice,
+                  .required = true,
+                  .choices = fault_names(),
+                  .text = "Which of `faults`."});
+  rows.push_back({.path = at + ".reacted.at_least",
+                  .type = KeyType::kChoice,
+                  .required = true,
+                  .choices = severity_names(),
+                  .text = "What it has to do, or more ([severities](../explanation/guard.md))."});
+  add_measure(rows, at + ".reacted.within", "s",
+              "The longest from the begin of such a fault to the first such reaction that is for one whom it "
+              "strikes, or for everybody.",
+              1e6);
+  quantity("safety_breaches", "", 1e15,
+           "Breaches of what the guard promises, by the robots' true places at every plant step and by what "
+           "they were told: bodies that touch, bodies outside the fence, commands beyond speed or "
+           "acceleration. All robots of one HAL only.");
   quantity("infeasible", "", 1.0,
            "The share of agent-ticks, of swarms that avoid collisions, without a velocity clear of "
            "everybody.");

@@ -106,7 +106,8 @@ void add_fault_rows(Rows& rows) {
                   .max = 1e6,
                   .fallback_text = "level, by chance, another for each seed",
                   .needs = "what",
-                  .text = "Of `wind`, `pose_jump` and `start_too_near`; of any length but 0."});
+                  .text = "Of `wind`, `pose_jump`, `pose_ghost`, `start_too_near` and `start_outside`; of "
+                          "any length but 0."});
   add_random_rows(rows);
 }
 

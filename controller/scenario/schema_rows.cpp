@@ -172,6 +172,12 @@ void add_hal_rows(Rows& rows) {
                   .max = 1e6,
                   .fallback_text = "for ever",
                   .text = "How long a full battery lasts."});
+  rows.push_back({.path = at + ".links",
+                  .type = KeyType::kInteger,
+                  .min = 1,
+                  .max = 64,
+                  .fallback = "1",
+                  .text = "Radio links that its robots are dealt to in equal parts, as to so many dongles."});
 }
 
 }  // namespace

@@ -160,6 +160,17 @@ TEST(Guard, ALinkThatIsDownHoldsItsRobotsThenAll) {
   EXPECT_EQ(trip.severity(2), Severity::kHoldAll);
 }
 
+TEST(Guard, RobotsThatGiveUpForGoodHoldAllAtOnce) {
+  FieldTrip trip(row(3));
+  trip.wish = WishOf(3, {0, 1, 0});
+  trip.fly(1);
+  EXPECT_EQ(trip.severity(2), Severity::kNone);
+  trip.robots.read_result = {HalFault::kGivenUp, kEveryRobot, "first", "no device"};
+  trip.fly(0.02);
+  EXPECT_EQ(trip.severity(2), Severity::kHoldAll) << "whatever its link";
+  EXPECT_TRUE(trip.guard->everybody().has(Symptom::kSimulationFailed));
+}
+
 TEST(Guard, AnEmptyBatteryLandsItsRobotInsideTheGuarantee) {
   FieldTrip trip({{5, 10, 3}, {5, 10, 1.5F}, {12, 10, 3}});
   trip.robots.telemetry[0].battery = 0.25F;

@@ -79,6 +79,20 @@ TEST(GuardedHal, ATickWhoseWishWasRefusedOnItsWayHasACommandAllTheSame) {
   EXPECT_EQ(flight.hal.severity(), Severity::kHold);
 }
 
+TEST(GuardedHal, AReplayedWishIsToldInTheTickThatItComesIn) {
+  Flight flight;
+  flight.fly(10);
+  const std::uint64_t before = flight.hal.reactions();
+  flight.now += kTick;
+  flight.hal.read(flight.now, {flight.x, flight.y, flight.z, flight.vx, flight.vy, flight.vz, flight.stamp,
+                               flight.valid});
+  EXPECT_FALSE(flight.hal.write(flight.now, flight.wish.columns(flight.now + kTick, 3)).ok());
+  EXPECT_TRUE(flight.hal.write(flight.now, flight.wish.columns(flight.now + kTick, ++flight.sequence)).ok());
+  ASSERT_EQ(flight.hal.reactions(), before + 1);
+  EXPECT_EQ(flight.hal.events().back().symptom, Symptom::kCommandRefused);
+  EXPECT_EQ(flight.hal.report().wishes.refused, 1U);
+}
+
 TEST(GuardedHal, StopsWhenAskedOnceAndCutsWhenAskedTwice) {
   Flight flight;
   flight.fly(100);

@@ -38,11 +38,14 @@ TEST(TelemetryWatch, SilentIsWhoWasNotHeardForLongerThanTheLimit) {
   EXPECT_TRUE(told.update(milliseconds(1202)).empty()) << "it clears with the first answer";
 }
 
-TEST(TelemetryWatch, APoseIsAnAnswer) {
+TEST(TelemetryWatch, APoseIsAnAnswerWhereTheLinkTellsOfNone) {
   Told told;
   told.stamp = milliseconds(1000);
   EXPECT_TRUE(told.update(milliseconds(1200)).empty());
   EXPECT_TRUE(told.update(milliseconds(1201)).has(Symptom::kSilent));
+  told.telemetry.heard = milliseconds(1000);
+  told.stamp = milliseconds(1201);
+  EXPECT_TRUE(told.update(milliseconds(1201)).has(Symptom::kSilent)) << "it is seen from outside";
 }
 
 TEST(TelemetryWatch, WhoWasNeverHeardCannotFallSilent) {
@@ -53,9 +56,9 @@ TEST(TelemetryWatch, WhoWasNeverHeardCannotFallSilent) {
 
 TEST(TelemetryWatch, ALinkIsBadBelowItsLeastQuality) {
   Told told;
-  told.telemetry.link_quality = 0.5F;
+  told.telemetry.link_quality = 0.85F;
   EXPECT_TRUE(told.update(Time{0}).empty());
-  told.telemetry.link_quality = 0.49F;
+  told.telemetry.link_quality = 0.84F;
   EXPECT_TRUE(told.update(Time{0}).has(Symptom::kLinkDegraded));
 }
 

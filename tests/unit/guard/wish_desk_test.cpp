@@ -57,6 +57,33 @@ TEST(WishDesk, AnOldNumberIsRefusedAndTheWishBeforeStays) {
   EXPECT_FALSE(desk.everybody().has(Symptom::kCommandRefused)) << "it is the same, told again";
 }
 
+TEST(WishDesk, WhatWasRefusedBeforeItIsToldOnce) {
+  WishDesk desk(1, kMostAge);
+  desk.refuse();
+  desk.judge(kTick, WishOf(1).columns(9 * kTick, 1));
+  EXPECT_TRUE(desk.everybody().has(Symptom::kCommandRefused));
+  EXPECT_EQ(desk.kind(0), CommandKind::kVelocity) << "the one that came is good";
+  desk.judge(2 * kTick, WishOf(1).columns(9 * kTick, 2));
+  EXPECT_TRUE(desk.everybody().empty());
+  EXPECT_EQ(desk.counters().refused, 1U);
+}
+
+TEST(WishDesk, MoreThanTwiceWhatARobotCanDoIsAbsurd) {
+  WishDesk desk(2, kMostAge, {1.0F, 3.0F});
+  WishOf wish(2, {0, 2.0F, 0});
+  desk.judge(kTick, wish.columns(9 * kTick, 1));
+  EXPECT_TRUE(desk.symptoms()[0].empty()) << "too fast, but no more";
+  wish.vy[0] = wish.vy[1] = 2.001F;
+  desk.judge(2 * kTick, wish.columns(9 * kTick, 2));
+  EXPECT_TRUE(desk.symptoms()[0].has(Symptom::kCommandAbsurd));
+  EXPECT_TRUE(desk.symptoms()[1].empty()) << "this one can nearly do it";
+  EXPECT_EQ(desk.kind(0), CommandKind::kVelocity) << "the governor's to shorten";
+  EXPECT_EQ(desk.counters().absurd, 1U);
+  wish.kind[0] = CommandKind::kHold;
+  desk.judge(3 * kTick, wish.columns(9 * kTick, 3));
+  EXPECT_TRUE(desk.symptoms()[0].empty()) << "nobody asks it to move";
+}
+
 TEST(WishDesk, ShortColumnsAreRefused) {
   WishDesk desk(3, kMostAge);
   desk.judge(kTick, WishOf(2).columns(9 * kTick, 1));

@@ -53,7 +53,7 @@ TEST(Composite, OneBrokenChildDoesNotBlockTheOthers) {
   EXPECT_EQ(read.robot, 3U);
   EXPECT_EQ(f.states.valid, (std::vector<std::uint8_t>{1, 1, 0, 0, 0, 1}));
   const HalResult write = f.hal->write(kNow, f.commands.columns(kNow, 1));
-  EXPECT_EQ(write.fault, HalFault::kRobotSilent);  // the first of the two
+  EXPECT_EQ(write.fault, HalFault::kLinkDown) << "the graver of the two";
   EXPECT_EQ(f.child[0]->writes + f.child[1]->writes + f.child[2]->writes, 3);
 }
 

@@ -40,8 +40,9 @@ TEST(SummaryJson, KeysAreTheContract) {
                           "collisions", "penetrations", "mde_percent", "infeasible_agents",
                           "governor_interventions", "faults", "safety", "max_speed_mps",
                           "max_acceleration_mps2", "control", "preprocessing_s", "fields", "expect"));
-  EXPECT_THAT(keys_of(json["safety"]), ElementsAre("severity_max", "invariants", "reactions",
-                                                   "wishes_refused", "stalled_ticks", "incidents"));
+  EXPECT_THAT(keys_of(json["safety"]),
+              ElementsAre("severity_max", "invariants", "reactions", "wishes_refused", "stalled_ticks",
+                          "incidents", "breaches"));
   EXPECT_EQ(json["safety"]["invariants"]["separation"], 2);
   EXPECT_EQ(json["safety"]["reactions"]["hold"], 3);
   EXPECT_THAT(keys_of(json["control"]),

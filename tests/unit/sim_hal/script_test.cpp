@@ -170,6 +170,64 @@ TEST_F(Script, ALostLinkSilencesAll) {
   }
 }
 
+TEST_F(Script, ALostLinkOfSeveralSilencesThoseOnIt) {
+  SimHalConfig config = with(Effect::kLinkLost);
+  config.links = 2;
+  config.script[0].robots = {{kStruck, 1}};
+  start(config);
+  EXPECT_EQ(hal_->robots()[3].link, "sim/0");
+  EXPECT_EQ(hal_->robots()[4].link, "sim/1");
+  for (int i = 0; i < 30; ++i) {
+    tick();
+    ASSERT_EQ(read_.fault, is_on() ? HalFault::kLinkDown : HalFault::kNone);
+    ASSERT_EQ(read_.link, is_on() ? "sim/0" : "");
+    for (std::size_t robot = 0; robot < 8; ++robot) {
+      ASSERT_EQ(states_->telemetry[robot].heard == origin_ + since_, !is_on() || robot > 3) << i;
+    }
+  }
+}
+
+TEST_F(Script, WhereSeveralLinksAreLostNoneIsNamed) {
+  SimHalConfig config = with(Effect::kLinkLost);
+  config.links = 2;
+  start(config);
+  for (int i = 0; i < 15; ++i) {
+    tick();
+  }
+  EXPECT_EQ(read_.fault, HalFault::kLinkDown);
+  EXPECT_EQ(read_.link, "sim") << "the HAL, which is no robot's link";
+}
+
+TEST_F(Script, ALateLinkCarriesCommandsAndAnswersLate) {
+  start(with(Effect::kLinkLatency, 0.025F));
+  for (int i = 0; i < 40; ++i) {
+    commands_->vx.assign(8, static_cast<float>(i));
+    tick();
+    const auto told = [&](Time late) { return static_cast<float>((since_ - late) / Time(10'000'000) - 1); };
+    if (i > 0) {
+      ASSERT_EQ(truth().columns[3][0], told(Time{0})) << i;
+    }
+    // Until the first that was late is there, the last that was not is obeyed.
+    if (since_ > kBegin && since_ <= kEnd) {
+      const float late = since_ < kBegin + Time(40'000'000) ? 9.0F : told(Time(20'000'000));
+      ASSERT_EQ(truth().columns[3][kStruck], late) << i;
+      ASSERT_LT(states_->telemetry[kStruck].link_quality, 1.0F);
+      ASSERT_EQ(states_->telemetry[kStruck].heard,
+                std::max(origin_ + kBegin - Time(10'000'000), origin_ + since_ - Time(25'000'000)));
+    }
+  }
+}
+
+TEST_F(Script, AGhostTakesTurnsWithItsRobot) {
+  start(with(Effect::kPoseGhost, 2.0F));
+  for (int i = 0; i < 30; ++i) {
+    tick();
+    const bool is_ghost = is_on() && ((since_ - kBegin) / Time(30'000'000)) % 2 == 0;
+    ASSERT_FLOAT_EQ(states_->y[kStruck], truth().columns[1][kStruck] + (is_ghost ? 2.0F : 0.0F)) << i;
+    ASSERT_EQ(states_->y[0], truth().columns[1][0]);
+  }
+}
+
 TEST_F(Script, LossShowsInTheQualityOfTheLink) {
   SimHalConfig config = with(Effect::kLinkLoss, 0.3F);
   config.script[0].until = std::chrono::seconds(24);
@@ -221,7 +279,7 @@ TEST_F(Script, AFailedSimulationStaysFailed) {
     tick();
     // The step that begins at 100 ms is the first that fails; it is asked for a tick later.
     const bool failed = since_ > kBegin;
-    ASSERT_EQ(read_.fault, failed ? HalFault::kLinkDown : HalFault::kNone) << i;
+    ASSERT_EQ(read_.fault, failed ? HalFault::kGivenUp : HalFault::kNone) << i;
     ASSERT_EQ(states_->valid[0] == 0, failed);
   }
 }
