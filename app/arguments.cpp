@@ -126,7 +126,7 @@ void add_test(CLI::App& app, TestOptions& options, Raw& raw) {
       ->check(CLI::Range(0, 1024));
   test.add_flag("-v,--verbose", options.verbose, "Say more, on stderr");
   test.footer(std::string("\nExample:\n  mayfly test config/scenarios/faults/*.yaml --junit faults.xml\n"
-                          "  mayfly test config/scenarios/faults/robot_silent.yaml --seeds 1..20\n") +
+                          "  mayfly test config/scenarios/faults/links.yaml --seeds 1..20\n") +
               kExitCodes);
 }
 

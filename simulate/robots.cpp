@@ -12,6 +12,7 @@
 
 #include "controller/composite_hal.hpp"
 #include "sim_hal/sim_hal.hpp"
+#include "simulate/breach_watch.hpp"
 #include "simulate/sabotage.hpp"
 
 namespace mayfly::simulate {
@@ -122,7 +123,16 @@ const HalSpec& spec_of(const Scenario& scenario, const std::string& name) {
 
 class SimTruth final : public GroundTruth {
  public:
-  explicit SimTruth(std::vector<sim_hal::SimHal*> hals) : hals_(std::move(hals)) {}
+  SimTruth(std::vector<sim_hal::SimHal*> hals, std::unique_ptr<BreachWatch> watch)
+      : hals_(std::move(hals)), watch_(std::move(watch)) {}
+
+  std::optional<BreachSummary> breaches() const noexcept override {
+    if (watch_ == nullptr) {
+      return std::nullopt;
+    }
+    const BreachCounts& counts = watch_->breaches();
+    return BreachSummary{counts[0], counts[1], counts[2], counts[3]};
+  }
 
   void truth(const StateColumns& to) const noexcept override {
     std::size_t first = 0;
@@ -142,7 +152,16 @@ class SimTruth final : public GroundTruth {
 
  private:
   std::vector<sim_hal::SimHal*> hals_;
+  std::unique_ptr<BreachWatch> watch_;  // null where nobody asks
 };
+
+// It looks at every two at every step: only where somebody asks, and where one HAL steps all at once.
+bool wants_watch(const Scenario& scenario, std::size_t hals, const Clock& clock) {
+  return hals == 1 && clock.is_virtual() &&
+         std::any_of(scenario.expect.begin(), scenario.expect.end(), [](const Expectation& expectation) {
+           return expectation.quantity == Expectation::Quantity::kSafetyBreaches;
+         });
+}
 
 }  // namespace
 
@@ -179,6 +198,11 @@ Robots make_robots(const Scenario& scenario, const std::vector<glm::vec3>& place
     add_swarm(configs.back(), swarm, scenario.world.bounds.min.z, std::span(positions).subspan(first, count));
     first += count;
   }
+  std::unique_ptr<BreachWatch> own_watch;
+  if (watcher == nullptr && wants_watch(scenario, configs.size(), clock)) {
+    own_watch = std::make_unique<BreachWatch>(promise_of(scenario));
+    watcher = own_watch.get();
+  }
   first = 0;
   for (sim_hal::SimHalConfig& config : configs) {
     config.watcher = watcher;
@@ -197,7 +221,7 @@ Robots make_robots(const Scenario& scenario, const std::vector<glm::vec3>& place
   robots.hal = hals.size() == 1 ? std::move(hals.front())
                                 : std::make_unique<CompositeHal>("composite", std::move(hals));
   if (clock.is_virtual()) {
-    robots.truth = std::make_unique<SimTruth>(std::move(sims));
+    robots.truth = std::make_unique<SimTruth>(std::move(sims), std::move(own_watch));
   }
   return robots;
 }

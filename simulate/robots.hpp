@@ -20,7 +20,8 @@ struct Robots {
 
 // One robot an agent, in the scenario's order, starting at `places` (m), with what the scenario lets go wrong
 // with robots and their links. `clock` must outlive the HAL, and so must `watcher`, which sees the plant
-// steps of every HAL.
+// steps of every HAL; without one the truth counts breaches itself where the scenario expects something of
+// them.
 Robots make_robots(const Scenario& scenario, const std::vector<glm::vec3>& places, Clock& clock,
                    sim_hal::Backend backend = sim_hal::Backend::kAutomatic,
                    sim_hal::StepWatcher* watcher = nullptr);

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <utility>
 
+#include "bench/faults/command_watch.hpp"
 #include "bench/faults/hostile_engine.hpp"
 #include "controller/clock/virtual_clock.hpp"
 #include "controller/flight/flight.hpp"
@@ -110,7 +111,7 @@ bool strikes(const FaultSpec& fault, std::size_t agent) {
 }
 
 // Of all whom the row's reaction stops.
-std::optional<double> stopped_after(const FaultSpec& fault, const BreachWatch& watch, std::size_t agents) {
+std::optional<double> stopped_after(const FaultSpec& fault, const CommandWatch& watch, std::size_t agents) {
   const Severity reaction = fault_row(fault.kind).reaction;
   if (reaction < Severity::kHold) {
     return std::nullopt;
@@ -129,13 +130,18 @@ std::optional<double> stopped_after(const FaultSpec& fault, const BreachWatch& w
   return latest;
 }
 
+// And a few more, for the end.
+std::size_t most_ticks(const Scenario& scenario) {
+  return static_cast<std::size_t>(scenario.duration * static_cast<double>(scenario.control.rate)) + 10;
+}
+
 bool holds(const FaultEvent& event) {
   return event.severity == key_of(Severity::kHold) || event.severity == key_of(Severity::kHoldAll) ||
          event.severity == key_of(Severity::kLand) || event.severity == key_of(Severity::kCut);
 }
 
 // The worst of all that the first telling of the fault's symptom is about. Where all are to hold, all are.
-std::optional<std::uint64_t> safe_after(const FaultSpec& fault, const BreachWatch& watch,
+std::optional<std::uint64_t> safe_after(const FaultSpec& fault, const CommandWatch& watch,
                                         std::span<const RobotInfo> robots,
                                         const std::vector<FaultEvent>& events) {
   const std::string_view cause = info_of(fault_row(fault.kind).symptom).cause;
@@ -169,8 +175,6 @@ Result<FaultWorld> make_fault_world() {
     return fail(std::move(ready.error().front()));
   }
   world.ready = std::move(*ready);
-  const SwarmSpec& swarm = world.scenario.swarms.front();
-  world.limits = {swarm.radius, swarm.limits.speed, swarm.limits.acceleration, world.scenario.world.bounds};
   return world;
 }
 
@@ -188,8 +192,10 @@ Result<FaultFlight> fly_with_faults(const FaultWorld& world, const std::vector<F
     ends_early = ends_early || fault_row(kind).place == FaultPlace::kOperator;
   }
   VirtualClock clock;
-  BreachWatch watch(agents, world.limits);
-  HostileEngine engine(seed, scenario.world.bounds, kTooFast * world.limits.speed);
+  const LimitsSpec& limits = scenario.swarms.front().limits;
+  simulate::BreachWatch breaches(simulate::promise_of(scenario));
+  CommandWatch watch(agents, most_ticks(scenario), static_cast<double>(limits.acceleration), breaches);
+  HostileEngine engine(seed, scenario.world.bounds, kTooFast * limits.speed);
   const simulate::Robots robots =
       simulate::make_robots(scenario, places, clock, sim_hal::Backend::kNative, &watch);
   const simulate::Sabotage sabotage(scenario, engine, clock, nullptr);
@@ -205,8 +211,8 @@ Result<FaultFlight> fly_with_faults(const FaultWorld& world, const std::vector<F
     return fail(summary.error());
   }
   FaultFlight flight;
-  flight.breaches = watch.breaches();
-  flight.least_gap = watch.least_gap();
+  flight.breaches = breaches.breaches();
+  flight.least_gap = breaches.least_gap();
   flight.hash = watch.hash();
   const double last_ticks = 3.0 / static_cast<double>(scenario.control.rate);
   flight.hung = !ends_early && summary->simulated_s < scenario.duration - last_ticks;

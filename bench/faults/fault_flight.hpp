@@ -6,10 +6,10 @@
 #include <optional>
 #include <vector>
 
-#include "bench/faults/breach_watch.hpp"
 #include "controller/flight/prepare.hpp"
 #include "controller/scenario/scenario.hpp"
 #include "core/result.hpp"
+#include "simulate/breach_watch.hpp"
 
 namespace mayfly::bench {
 
@@ -17,12 +17,11 @@ namespace mayfly::bench {
 struct FaultWorld {
   Scenario scenario;
   std::unique_ptr<const Prepared> ready;
-  PromisedLimits limits;
 };
 Result<FaultWorld> make_fault_world();
 
 struct FaultFlight {
-  BreachCounts breaches{};
+  simulate::BreachCounts breaches{};
   double least_gap = 0.0;  // m
   std::uint64_t hash = 0;
   bool hung = false;  // it ended early, or ticks are missing that no fault took

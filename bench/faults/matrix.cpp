@@ -34,7 +34,7 @@ void add(FaultCell& cell, const FaultFlight& flight, std::uint64_t seed, double 
     cell.safe_after = std::max(cell.safe_after.value_or(0), *safe);
   }
   bool bad = false;
-  for (std::size_t b = 0; b < kBreaches; ++b) {
+  for (std::size_t b = 0; b < simulate::kBreaches; ++b) {
     cell.breaches[b] += flight.breaches[b];
     bad = bad || flight.breaches[b] > 0;
   }

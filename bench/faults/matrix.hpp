@@ -34,7 +34,7 @@ struct FaultCell {
   std::uint64_t late = 0;    // flights in which its symptom came later than its bound
   // Ticks from a telling of its symptom that holds somebody to the last of the safe commands; the worst.
   std::optional<std::uint64_t> safe_after{};
-  BreachCounts breaches{};
+  simulate::BreachCounts breaches{};
   double least_gap = std::numeric_limits<double>::infinity();  // m
   std::uint64_t hung = 0;
   std::optional<std::uint64_t> first_bad{};  // the seed of the first flight with a breach

@@ -30,7 +30,7 @@ std::string text_of_ticks(const std::optional<std::uint64_t>& ticks) {
   return ticks ? fmt::format("{} tick{}", *ticks, *ticks == 1 ? "" : "s") : "-";
 }
 
-std::string text_of(const BreachCounts& breaches) {
+std::string text_of(const simulate::BreachCounts& breaches) {
   return fmt::format("{} {} {} {}", breaches[0], breaches[1], breaches[2], breaches[3]);
 }
 
