@@ -17,6 +17,11 @@ constexpr Time kForGood = std::chrono::milliseconds(500);
 BreachWatch::BreachWatch(std::size_t robots, const PromisedLimits& limits)
     : robots_(robots), limits_(limits), told_(robots), was_velocity_(robots) {}
 
+void BreachWatch::count(Breach breach, Time at, std::size_t first, std::size_t second) noexcept {
+  ++breaches_[static_cast<std::size_t>(breach)];
+  incidents_.push_back({at, breach, static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(second)});
+}
+
 void BreachWatch::mix(float value) noexcept {
   hash_ = (hash_ ^ std::bit_cast<std::uint32_t>(value)) * 1099511628211U;
 }
@@ -34,7 +39,7 @@ void BreachWatch::on_step(const sim_hal::PoseView& truth) noexcept {
       mix(p[axis][i]);
     }
     if (!inside) {
-      count(Breach::kFence);
+      count(Breach::kFence, truth.stamp, i, i);
     }
     for (std::size_t j = i + 1; j < robots_; ++j) {
       const double gap = std::hypot(static_cast<double>(p[0][i]) - static_cast<double>(p[0][j]),
@@ -43,7 +48,7 @@ void BreachWatch::on_step(const sim_hal::PoseView& truth) noexcept {
                          2.0 * radius;
       least_gap_ = std::min(least_gap_, gap);
       if (!(gap >= -kRounding)) {
-        count(Breach::kSeparation);
+        count(Breach::kSeparation, truth.stamp, i, j);
       }
     }
   }
@@ -63,11 +68,11 @@ void BreachWatch::on_command(Time now, const CommandColumns& commands) noexcept 
     const double speed = std::hypot(told[0], told[1], told[2]);
     const double change = std::hypot(told[0] - told_[i][0], told[1] - told_[i][1], told[2] - told_[i][2]);
     if (!(speed <= static_cast<double>(limits_.speed) + kRounding)) {
-      count(Breach::kSpeed);
+      count(Breach::kSpeed, now, i, i);
     }
     if (velocity && was_velocity_[i] != 0 &&
         !(change <= static_cast<double>(limits_.acceleration) * passed + kRounding)) {
-      count(Breach::kAcceleration);
+      count(Breach::kAcceleration, now, i, i);
     }
     moving[i] = speed > kStill ? 1 : 0;
     told_[i] = told;

@@ -18,6 +18,13 @@ inline constexpr std::size_t kBreaches = static_cast<std::size_t>(Breach::kCount
 using BreachCounts =
     std::array<std::uint64_t, kBreaches>;  // robot-steps (pairs, of kSeparation) and commands
 
+// One of those that are counted.
+struct Incident {
+  Time at{0};
+  Breach breach = Breach::kCount;
+  std::uint32_t first = 0, second = 0;  // robots; the same where there was but one
+};
+
 struct PromisedLimits {
   float radius = 0.05F;       // m, of every body
   float speed = 2.0F;         // m/s
@@ -34,6 +41,7 @@ class BreachWatch final : public sim_hal::StepWatcher {
   void on_command(Time now, const CommandColumns& commands) noexcept override;
 
   const BreachCounts& breaches() const noexcept { return breaches_; }
+  const std::vector<Incident>& incidents() const noexcept { return incidents_; }
   // m: the least distance of two bodies' surfaces; infinite where there were no two.
   double least_gap() const noexcept { return least_gap_; }
   // Of all true places and commands: equal for runs that are the same bit for bit.
@@ -43,12 +51,13 @@ class BreachWatch final : public sim_hal::StepWatcher {
   std::optional<double> stopped_after(std::size_t robot, Time at) const;
 
  private:
-  void count(Breach breach) noexcept { ++breaches_[static_cast<std::size_t>(breach)]; }
+  void count(Breach breach, Time at, std::size_t first, std::size_t second) noexcept;
   void mix(float value) noexcept;
 
   std::size_t robots_;
   PromisedLimits limits_;
   BreachCounts breaches_{};
+  std::vector<Incident> incidents_;
   double least_gap_ = std::numeric_limits<double>::infinity();
   std::uint64_t hash_ = 14695981039346656037U;
   std::optional<Time> first_, last_;

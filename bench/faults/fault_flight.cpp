@@ -6,9 +6,12 @@
 #include <numbers>
 #include <utility>
 
+#include "bench/faults/guard_witness.hpp"
 #include "bench/faults/hostile_engine.hpp"
 #include "controller/clock/virtual_clock.hpp"
 #include "controller/flight/flight.hpp"
+#include "controller/flight/flight_guard.hpp"
+#include "controller/flight/motion.hpp"
 #include "controller/flight/noticed.hpp"
 #include "controller/scenario/load.hpp"
 #include "simulate/robots.hpp"
@@ -124,6 +127,38 @@ std::optional<double> stopped_after(const FaultSpec& fault, const BreachWatch& w
   return latest;
 }
 
+// What a guard sees is this old, and is told a tick later.
+Time most_delay(const Scenario& scenario) {
+  const SimHalSpec& sim = scenario.hals.front().sim;
+  return from_seconds(2.0 / static_cast<double>(scenario.control.rate) + static_cast<double>(sim.delay) +
+                      1.0 / static_cast<double>(sim.rate));
+}
+
+struct Noticed {
+  std::optional<double> after;  // s, from when it can be seen
+  bool missed = false;
+};
+
+// A robot that does not go where it is told can be seen to once it has left its tube, a frozen pose of one
+// that is told to move; the others as soon as they begin.
+Noticed when_noticed(const Scenario& scenario, const FaultSpec& fault, const std::vector<FaultEvent>& events,
+                     const GuardWitness& witness) {
+  const auto after = noticed_after(scenario, fault, events);
+  const std::size_t robot = fault.agents.front().first;
+  if (fault.kind == FaultKind::kPoseFrozen && after) {
+    return {witness.told_to_move(robot, fault.at, fault.at + *after)};
+  }
+  if (fault_row(fault.kind).symptom != Symptom::kTrackingError) {
+    return {after};
+  }
+  const auto left = witness.left_tube(robot, fault.at);
+  if (!left) {
+    return {after ? std::optional(0.0) : std::nullopt};
+  }
+  return {after ? std::optional(std::max(0.0, fault.at + *after - *left)) : std::nullopt,
+          !after && *left < scenario.duration - 2.0 * to_seconds(most_delay(scenario))};
+}
+
 }  // namespace
 
 Result<FaultWorld> make_fault_world() {
@@ -158,28 +193,38 @@ Result<FaultFlight> fly_with_faults(const FaultWorld& world, const std::vector<F
   }
   VirtualClock clock;
   BreachWatch watch(agents, world.limits);
+  GuardWitness witness(watch, agents, scenario.swarms.front().limits.tube);
   HostileEngine engine(seed, scenario.world.bounds, kTooFast * world.limits.speed);
   const simulate::Robots robots =
-      simulate::make_robots(scenario, places, clock, sim_hal::Backend::kNative, &watch);
+      simulate::make_robots(scenario, places, clock, sim_hal::Backend::kNative, &witness);
   const simulate::Sabotage sabotage(scenario, engine, *robots.hal, clock, nullptr);
+  const Motion motion(scenario);
+  GuardConfig config = guard_config(scenario, world.ready->world, motion, sabotage.clock());
+  config.hooks = {};  // those who watch the flight allocate
+  GuardedHal guard(std::move(config), sabotage.hal());
+  witness.hear(guard);
   const auto summary = fly({.scenario = scenario,
                             .world = world.ready->world,
                             .engine = sabotage.engine(),
                             .hal = sabotage.hal(),
                             .truth = robots.truth.get(),
                             .clock = sabotage.clock(),
-                            .stop = sabotage.stop()});
+                            .stop = sabotage.stop(),
+                            .guard = &guard});
   if (!summary) {
     return fail(summary.error());
   }
   FaultFlight flight;
   flight.breaches = watch.breaches();
+  flight.suspended = witness.suspended(most_delay(scenario));
   flight.least_gap = watch.least_gap();
   flight.hash = watch.hash();
   const double last_ticks = 3.0 / static_cast<double>(scenario.control.rate);
   flight.hung = !ends_early && summary->simulated_s < scenario.duration - last_ticks;
   for (const FaultSpec& fault : scenario.faults) {
-    flight.seen_after.push_back(noticed_after(scenario, fault, summary->faults));
+    const Noticed noticed = when_noticed(scenario, fault, summary->faults, witness);
+    flight.seen_after.push_back(noticed.after);
+    flight.missed.push_back(noticed.missed);
     flight.stopped_after.push_back(stopped_after(fault, watch, agents));
   }
   return flight;

@@ -22,13 +22,15 @@ struct FaultWorld {
 Result<FaultWorld> make_fault_world();
 
 struct FaultFlight {
-  BreachCounts breaches{};
-  double least_gap = 0.0;  // m
+  BreachCounts breaches{};   // all of them
+  BreachCounts suspended{};  // of these, those of which the guard had told that it could not keep its promise
+  double least_gap = 0.0;    // m
   std::uint64_t hash = 0;
   bool hung = false;  // it ended early, or ticks are missing that no fault took
-  // Of each fault, s from its begin: when its symptom was reported, and when all whom the reaction stops were
-  // told to stand still. Empty: not within the flight.
+  // Of each fault: s from when it can be seen to when its symptom was reported, and from its begin to when
+  // all whom the reaction stops were told to stand still. Empty: not within the flight.
   std::vector<std::optional<double>> seen_after, stopped_after;
+  std::vector<bool> missed;  // of each fault: whether it could be seen in time, and was not reported at all
 };
 
 // Faults begin and end at times of chance, and strike robots of chance: all from `seed`.

@@ -29,11 +29,14 @@ void add(FaultCell& cell, const FaultFlight& flight, std::uint64_t seed, double 
   cell.stopped.add(flight.stopped_after.front());
   const FaultRow& row = fault_row(cell.faults.front());
   const double bound = row.bound_s + row.bound_ticks * period_s + kRounding;
-  cell.late += flight.seen_after.front() && *flight.seen_after.front() > bound ? 1U : 0U;
+  const bool is_late = flight.seen_after.front() && *flight.seen_after.front() > bound;
+  cell.late += is_late || flight.missed.front() ? 1U : 0U;
   bool bad = false;
   for (std::size_t b = 0; b < kBreaches; ++b) {
-    cell.breaches[b] += flight.breaches[b];
-    bad = bad || flight.breaches[b] > 0;
+    const std::uint64_t promised = flight.breaches[b] - flight.suspended[b];
+    cell.breaches[b] += promised;
+    cell.suspended[b] += flight.suspended[b];
+    bad = bad || promised > 0;
   }
   cell.least_gap = std::min(cell.least_gap, flight.least_gap);
   cell.hung += flight.hung ? 1U : 0U;

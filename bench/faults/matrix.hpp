@@ -31,8 +31,9 @@ struct FaultCell {
   std::vector<FaultKind> faults;  // one, or two
   std::uint64_t flights = 0;
   Delays seen{}, stopped{};  // of the first fault
-  std::uint64_t late = 0;    // flights in which its symptom came later than its bound
-  BreachCounts breaches{};
+  std::uint64_t late = 0;    // flights in which its symptom came later than its bound, or not at all
+  BreachCounts breaches{};   // of what was promised
+  BreachCounts suspended{};  // of which the guard had told that it could not keep its promise
   double least_gap = std::numeric_limits<double>::infinity();  // m
   std::uint64_t hung = 0;
   std::optional<std::uint64_t> first_bad{};  // the seed of the first flight with a breach
