@@ -31,6 +31,11 @@ BreachWatch::BreachWatch(Promise promise)
       may_be_nearer_(promise_.robots.size() * promise_.robots.size()),
       told_(promise_.robots.size()) {}
 
+void BreachWatch::count(Breach breach, Time at, std::size_t first, std::size_t second) noexcept {
+  ++breaches_[static_cast<std::size_t>(breach)];
+  incidents_.push_back({at, breach, static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(second)});
+}
+
 // m by which the body is outside at most; negative inside.
 double BreachWatch::outside(const sim_hal::PoseView& truth, std::size_t robot) const noexcept {
   const auto& p = truth.columns;
@@ -75,7 +80,7 @@ void BreachWatch::check_pair(const sim_hal::PoseView& truth, std::size_t i, std:
     least_gap_ = std::min(least_gap_, gap);
   }
   if (!(gap >= -nearer - kRounding)) {
-    count(Breach::kSeparation);
+    count(Breach::kSeparation, truth.stamp, i, j);
   }
 }
 
@@ -90,7 +95,7 @@ void BreachWatch::on_step(const sim_hal::PoseView& truth) noexcept {
       may = out + kRest;
     }
     if (!(out <= may + kRounding)) {
-      count(Breach::kFence);
+      count(Breach::kFence, truth.stamp, i, i);
     }
     may = out <= 0.0 ? 0.0 : may;
     for (std::size_t j = i + 1; j < promise_.robots.size(); ++j) {
@@ -121,11 +126,11 @@ void BreachWatch::on_command(Time now, const CommandColumns& commands) noexcept 
     const double change =
         std::hypot(now_told[0] - before[0], now_told[1] - before[1], now_told[2] - before[2]);
     if (!(speed <= static_cast<double>(limits.speed) + kRounding)) {
-      count(Breach::kSpeed);
+      count(Breach::kSpeed, now, i, i);
     }
     if (told.was_velocity && told_[i].was_velocity &&
         !(change <= static_cast<double>(limits.acceleration) * passed + kRounding)) {
-      count(Breach::kAcceleration);
+      count(Breach::kAcceleration, now, i, i);
     }
     told_[i] = told;
   }

@@ -19,6 +19,13 @@ inline constexpr std::size_t kBreaches = static_cast<std::size_t>(Breach::kCount
 using BreachCounts =
     std::array<std::uint64_t, kBreaches>;  // robot-steps (pairs, of kSeparation) and commands
 
+// One of those that are counted.
+struct Incident {
+  Time at{0};
+  Breach breach = Breach::kCount;
+  std::uint32_t first = 0, second = 0;  // robots; the same where there was but one
+};
+
 struct PromisedLimits {       // of a robot
   float radius = 0.05F;       // m
   float speed = 2.0F;         // m/s
@@ -45,6 +52,7 @@ class BreachWatch final : public sim_hal::StepWatcher {
   void on_command(Time now, const CommandColumns& commands) noexcept override;
 
   const BreachCounts& breaches() const noexcept { return breaches_; }
+  const std::vector<Incident>& incidents() const noexcept { return incidents_; }
   // m: the least distance of two bodies' surfaces, but for those that start too near until they are apart;
   // infinite where there were no two.
   double least_gap() const noexcept { return least_gap_; }
@@ -55,12 +63,13 @@ class BreachWatch final : public sim_hal::StepWatcher {
     bool was_velocity = false;
   };
 
-  void count(Breach breach) noexcept { ++breaches_[static_cast<std::size_t>(breach)]; }
+  void count(Breach breach, Time at, std::size_t first, std::size_t second) noexcept;
   double outside(const sim_hal::PoseView& truth, std::size_t robot) const noexcept;
   void check_pair(const sim_hal::PoseView& truth, std::size_t i, std::size_t j) noexcept;
 
   Promise promise_;
   BreachCounts breaches_{};
+  std::vector<Incident> incidents_;
   double least_gap_ = std::numeric_limits<double>::infinity();
   bool has_begun_ = false;
   std::vector<double> may_be_out_;     // m, a robot

@@ -7,9 +7,12 @@
 #include <utility>
 
 #include "bench/faults/command_watch.hpp"
+#include "bench/faults/guard_witness.hpp"
 #include "bench/faults/hostile_engine.hpp"
 #include "controller/clock/virtual_clock.hpp"
 #include "controller/flight/flight.hpp"
+#include "controller/flight/flight_guard.hpp"
+#include "controller/flight/motion.hpp"
 #include "controller/flight/noticed.hpp"
 #include "controller/safety/reaction_table.hpp"
 #include "controller/scenario/load.hpp"
@@ -161,6 +164,38 @@ std::optional<std::uint64_t> safe_after(const FaultSpec& fault, const CommandWat
   return worst;
 }
 
+// What a guard sees is this old, and is told a tick later.
+Time most_delay(const Scenario& scenario) {
+  const SimHalSpec& sim = scenario.hals.front().sim;
+  return from_seconds(2.0 / static_cast<double>(scenario.control.rate) + static_cast<double>(sim.delay) +
+                      1.0 / static_cast<double>(sim.rate));
+}
+
+struct Noticed {
+  std::optional<double> after;  // s, from when it can be seen
+  bool missed = false;
+};
+
+// A robot that does not go where it is told can be seen to once it has left its tube, a frozen pose of one
+// that is told to move; the others as soon as they begin.
+Noticed when_noticed(const Scenario& scenario, const FaultSpec& fault, const std::vector<FaultEvent>& events,
+                     const GuardWitness& witness) {
+  const auto after = noticed_after(scenario, fault, events);
+  const std::size_t robot = fault.agents.front().first;
+  if (fault.kind == FaultKind::kPoseFrozen && after) {
+    return {witness.told_to_move(robot, fault.at, fault.at + *after), false};
+  }
+  if (fault_row(fault.kind).symptom != Symptom::kTrackingError) {
+    return {after, !after};
+  }
+  const auto left = witness.left_tube(robot, fault.at);
+  if (!left) {
+    return {after ? std::optional(0.0) : std::nullopt};
+  }
+  return {after ? std::optional(std::max(0.0, fault.at + *after - *left)) : std::nullopt,
+          !after && *left < scenario.duration - 2.0 * to_seconds(most_delay(scenario))};
+}
+
 }  // namespace
 
 Result<FaultWorld> make_fault_world() {
@@ -194,11 +229,18 @@ Result<FaultFlight> fly_with_faults(const FaultWorld& world, const std::vector<F
   VirtualClock clock;
   const LimitsSpec& limits = scenario.swarms.front().limits;
   simulate::BreachWatch breaches(simulate::promise_of(scenario));
-  CommandWatch watch(agents, most_ticks(scenario), static_cast<double>(limits.acceleration), breaches);
+  const std::size_t ticks = most_ticks(scenario);
+  CommandWatch watch(agents, ticks, static_cast<double>(limits.acceleration), breaches);
+  GuardWitness witness(watch, breaches, agents, ticks, limits.tube);
   HostileEngine engine(seed, scenario.world.bounds, kTooFast * limits.speed);
   const simulate::Robots robots =
-      simulate::make_robots(scenario, places, clock, sim_hal::Backend::kNative, &watch);
+      simulate::make_robots(scenario, places, clock, sim_hal::Backend::kNative, &witness);
   const simulate::Sabotage sabotage(scenario, engine, clock, nullptr);
+  const Motion motion(scenario);
+  GuardConfig config = guard_config(scenario, world.ready->world, motion, sabotage.clock());
+  config.hooks = {};  // of those who watch the flight, one allocates where a promise is broken
+  GuardedHal guard(std::move(config), *robots.hal);
+  witness.hear(guard);
   const auto summary = fly({.scenario = scenario,
                             .world = world.ready->world,
                             .engine = sabotage.engine(),
@@ -206,18 +248,22 @@ Result<FaultFlight> fly_with_faults(const FaultWorld& world, const std::vector<F
                             .truth = robots.truth.get(),
                             .clock = sabotage.clock(),
                             .stop = sabotage.stop(),
+                            .guard = &guard,
                             .between = [&](GuardPort& guard) { return sabotage.before(guard); }});
   if (!summary) {
     return fail(summary.error());
   }
   FaultFlight flight;
   flight.breaches = breaches.breaches();
+  flight.suspended = witness.suspended(most_delay(scenario));
   flight.least_gap = breaches.least_gap();
   flight.hash = watch.hash();
   const double last_ticks = 3.0 / static_cast<double>(scenario.control.rate);
   flight.hung = !ends_early && summary->simulated_s < scenario.duration - last_ticks;
   for (const FaultSpec& fault : scenario.faults) {
-    flight.seen_after.push_back(noticed_after(scenario, fault, summary->faults));
+    const Noticed noticed = when_noticed(scenario, fault, summary->faults, witness);
+    flight.seen_after.push_back(noticed.after);
+    flight.missed.push_back(noticed.missed);
     flight.safe_after.push_back(safe_after(fault, watch, robots.hal->robots(), summary->faults));
     flight.stopped_after.push_back(stopped_after(fault, watch, agents));
   }

@@ -30,13 +30,16 @@ void add(FaultCell& cell, const FaultFlight& flight, std::uint64_t seed, double 
   const FaultRow& row = fault_row(cell.faults.front());
   const double bound = row.bound_s + row.bound_ticks * period_s + kRounding;
   cell.late += flight.seen_after.front() && *flight.seen_after.front() > bound ? 1U : 0U;
+  cell.unseen += flight.missed.front() ? 1U : 0U;
   if (const auto& safe = flight.safe_after.front()) {
     cell.safe_after = std::max(cell.safe_after.value_or(0), *safe);
   }
   bool bad = false;
   for (std::size_t b = 0; b < simulate::kBreaches; ++b) {
-    cell.breaches[b] += flight.breaches[b];
-    bad = bad || flight.breaches[b] > 0;
+    const std::uint64_t promised = flight.breaches[b] - flight.suspended[b];
+    cell.breaches[b] += promised;
+    cell.suspended[b] += flight.suspended[b];
+    bad = bad || promised > 0;
   }
   cell.least_gap = std::min(cell.least_gap, flight.least_gap);
   cell.hung += flight.hung ? 1U : 0U;
@@ -130,7 +133,7 @@ Result<FaultMatrix> sweep_faults(const FaultsPlan& plan) {
     matrix.flights += cell.flights;
     matrix.hung += cell.hung;
     matrix.late += cell.late;
-    matrix.unseen += cell.flights - cell.seen.count;
+    matrix.unseen += cell.unseen;
     matrix.slow += cell.safe_after.value_or(0) > 1 ? 1U : 0U;
     for (const std::uint64_t breaches : cell.breaches) {
       matrix.breaches += breaches;

@@ -32,9 +32,11 @@ struct FaultCell {
   std::uint64_t flights = 0;
   Delays seen{}, stopped{};  // of the first fault
   std::uint64_t late = 0;    // flights in which its symptom came later than its bound
+  std::uint64_t unseen = 0;  // or could be seen, and never came
   // Ticks from a telling of its symptom that holds somebody to the last of the safe commands; the worst.
   std::optional<std::uint64_t> safe_after{};
-  simulate::BreachCounts breaches{};
+  simulate::BreachCounts breaches{};   // of what was promised
+  simulate::BreachCounts suspended{};  // of which the guard had told that it could not keep its promise
   double least_gap = std::numeric_limits<double>::infinity();  // m
   std::uint64_t hung = 0;
   std::optional<std::uint64_t> first_bad{};  // the seed of the first flight with a breach

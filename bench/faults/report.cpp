@@ -45,6 +45,7 @@ Json json_of(const FaultCell& cell) {
           {"bound", bound_text(row)},
           {"flights", cell.flights},
           {"seen", json_of(cell.seen)},
+          {"unseen", cell.unseen},
           {"late", cell.late},
           {"safe_after_ticks", cell.safe_after ? Json(*cell.safe_after) : Json()},
           {"stopped", json_of(cell.stopped)},
@@ -53,6 +54,11 @@ Json json_of(const FaultCell& cell) {
             {"fence", cell.breaches[1]},
             {"speed", cell.breaches[2]},
             {"acceleration", cell.breaches[3]}}},
+          {"suspended",
+           {{"separation", cell.suspended[0]},
+            {"fence", cell.suspended[1]},
+            {"speed", cell.suspended[2]},
+            {"acceleration", cell.suspended[3]}}},
           {"least_gap_m", std::isfinite(cell.least_gap) ? Json(cell.least_gap) : Json()},
           {"hung", cell.hung},
           {"first_bad_seed", cell.first_bad ? Json(*cell.first_bad) : Json()},
@@ -66,26 +72,29 @@ std::string to_text(const FaultMatrix& matrix) {
   for (const FaultCell& cell : matrix.cells) {
     width = std::max(width, name_of(cell.faults).size());
   }
-  std::string text = fmt::format("{:<{}}  {:<11}  {:<17}  {:<14}  {:<4}  {:<7}  {:<14}  {:<20}  {:>9}  {}\n",
-                                 "fault", width, "at least", "within", "seen", "late", "safe", "told to stop",
-                                 "breaches", "least gap", "hung");
+  std::string text =
+      fmt::format("{:<{}}  {:<11}  {:<17}  {:<14}  {:<4}  {:<7}  {:<14}  {:<12}  {:<14}  {:>9}  {}\n",
+                  "fault", width, "at least", "within", "seen", "late", "safe", "told to stop", "breaches",
+                  "suspended", "least gap", "hung");
   for (const FaultCell& cell : matrix.cells) {
     const FaultRow& row = fault_row(cell.faults.front());
-    text += fmt::format("{:<{}}  {:<11}  {:<17}  {:<14}  {:<4}  {:<7}  {:<14}  {:<20}  {:>7.3f} m  {}{}\n",
-                        name_of(cell.faults), width, mayfly::name_of(row.reaction), bound_text(row),
-                        text_of(cell.seen), cell.late, text_of_ticks(cell.safe_after), text_of(cell.stopped),
-                        text_of(cell.breaches), cell.least_gap, cell.hung,
-                        cell.first_bad ? fmt::format("  seed {}", *cell.first_bad) : "");
+    text += fmt::format(
+        "{:<{}}  {:<11}  {:<17}  {:<14}  {:<4}  {:<7}  {:<14}  {:<12}  {:<14}  {:>7.3f} m  {}{}\n",
+        name_of(cell.faults), width, mayfly::name_of(row.reaction), bound_text(row), text_of(cell.seen),
+        cell.late, text_of_ticks(cell.safe_after), text_of(cell.stopped), text_of(cell.breaches),
+        text_of(cell.suspended), cell.least_gap, cell.hung,
+        cell.first_bad ? fmt::format("  seed {}", *cell.first_bad) : "");
   }
   text += fmt::format(
       "{} flights in {:.1f} s: {} breaches, {} hung, {} unseen, {} late, {} rows slow to a "
       "safe command; wanted none\n",
       matrix.flights, matrix.took_s, matrix.breaches, matrix.hung, matrix.unseen, matrix.late, matrix.slow);
   return text +
-         "seen, told to stop: in how many flights, and the longest after the fault began. late: in how many "
-         "it "
-         "was seen later\nthan it had to be. safe: the most ticks from a symptom that holds somebody to the "
-         "last safe command of all it is about.\nbreaches: of separation, fence, speed and acceleration.\n";
+         "seen: in how many flights, and the longest from when the fault can be seen. told to stop: likewise "
+         "from its begin.\nsafe: the most ticks from a symptom that holds somebody to the last safe command "
+         "of all it is about. breaches: of\nseparation, fence, speed and acceleration. suspended: those of "
+         "robots of which the guard had told that they do not go\nwhere they are told, or that nobody knows "
+         "where they are.\n";
 }
 
 std::string to_json(const FaultMatrix& matrix) {

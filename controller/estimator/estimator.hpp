@@ -26,6 +26,11 @@ struct EstimateColumns {
   std::span<const Symptoms> symptoms;  // of each robot
   Symptoms everybody;                  // kIdSwap
   std::span<const std::uint8_t> fresh{};
+  // 1 where this update began the track elsewhere, because of jumps that agree: the robot was carried off, or
+  // whoever measures it errs.
+  std::span<const std::uint8_t> anew{};
+  // m/s, over and above what it was told, averaged over the last tenths of a second; 0 without gates.
+  std::span<const float> drift_x{}, drift_y{}, drift_z{};
 };
 
 // How sure the filter is of a robot: standard deviations a coordinate, m and m/s, and their covariance.

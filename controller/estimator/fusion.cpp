@@ -19,6 +19,8 @@ constexpr float kNowhere = std::numeric_limits<float>::quiet_NaN();
 constexpr double kTooFast = 1.5;
 // Corner of the box of 3σ, as for poses.
 constexpr double kDeviations = 3.0 * 1.7320508075688772;
+// Over which a drift is averaged: longer than a change of velocity takes, shorter than a hold.
+constexpr double kDriftSeconds = 0.1;
 
 // Samples a robot. One perfect source has nothing to say of now with what it says of earlier.
 std::size_t remembered(const EstimatorConfig& config) {
@@ -63,6 +65,10 @@ Estimator::Work::Work(EstimatorConfig all)
       stamp_(config.robots.size()),
       known_(config.robots.size()),
       fresh_(config.robots.size()),
+      anew_(config.robots.size()),
+      drift_x_(config.robots.size()),
+      drift_y_(drift_x_),
+      drift_z_(drift_x_),
       symptoms_(config.robots.size()) {
   for (const EstimatorSource& source : config.sources) {
     sources.emplace_back(config, source);
@@ -85,6 +91,7 @@ void Estimator::Work::update(Time now) noexcept {
   }
   for (std::size_t r = 0; r < tracks.size(); ++r) {
     fresh_[r] = 0;
+    anew_[r] = 0;
     hear(r, now);
   }
   look_for_swaps(now);
@@ -161,6 +168,7 @@ SampleFate Estimator::Work::take_pose(std::size_t robot, Source& source, const S
   if (fate == SampleFate::kJumped && source.judge.may_begin_anew(robot) && !is_taken(robot, source, sample)) {
     begin(robot, sample);
     ++counters.started_anew;
+    anew_[robot] = 1;
     return SampleFate::kTaken;
   }
   if (fate != SampleFate::kTaken) {
@@ -266,10 +274,14 @@ void Estimator::Work::tell(std::size_t robot, Time now) noexcept {
   symptoms_[robot] = symptoms;
   known_[robot] = track.has_begun() && !is_stale ? 1 : 0;
   if (known_[robot] == 0) {
+    drift_x_[robot] = drift_y_[robot] = drift_z_[robot] = 0.0F;
     return;
   }
   const Step& last = track.newest();
   const Eigen::RowVector3d velocity = last.belief.mean.row(1);
+  if (config.gates && fresh_[robot] != 0) {
+    follow_drift(robot, velocity);
+  }
   // Without a way to go there is nothing to add, and the bits stay.
   const estimator::Place place =
       now == last.stamp ? last.belief.place() : last.belief.place_after(to_seconds(now - last.stamp));
@@ -281,8 +293,21 @@ void Estimator::Work::tell(std::size_t robot, Time now) noexcept {
   vz_[robot] = static_cast<float>(velocity[2]);
 }
 
+// A measured velocity lags behind a told one by the age of its pose; over a change of course that cancels.
+void Estimator::Work::follow_drift(std::size_t robot, const Eigen::RowVector3d& velocity) noexcept {
+  const double share = std::min(1.0, to_seconds(config.pose_period) / kDriftSeconds);
+  const Eigen::RowVector3d off = velocity - told.velocity(robot);
+  float* const drift[] = {&drift_x_[robot], &drift_y_[robot], &drift_z_[robot]};
+  for (int axis = 0; axis < 3; ++axis) {
+    float& along = *drift[axis];
+    along = anew_[robot] != 0 ? 0.0F
+                              : along + static_cast<float>(share) * (static_cast<float>(off[axis]) - along);
+  }
+}
+
 EstimateColumns Estimator::Work::estimate() const noexcept {
-  return {x_, y_, z_, vx_, vy_, vz_, stamp_, known_, symptoms_, everybody_, fresh_};
+  return {x_,        y_,         z_,     vx_,   vy_,      vz_,      stamp_,  known_,
+          symptoms_, everybody_, fresh_, anew_, drift_x_, drift_y_, drift_z_};
 }
 
 }  // namespace mayfly

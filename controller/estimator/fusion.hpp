@@ -52,11 +52,13 @@ class Estimator::Work {
   estimator::Sample sample_of(const Source& source, std::size_t column) noexcept;
   void look_for_swaps(Time now) noexcept;
   void tell(std::size_t robot, Time now) noexcept;
+  void follow_drift(std::size_t robot, const Eigen::RowVector3d& velocity) noexcept;
 
   std::vector<double> density_;  // m²/s³, one a robot
   std::vector<float> x_, y_, z_, vx_, vy_, vz_;
   std::vector<Time> stamp_;  // of the newest pose taken
-  std::vector<std::uint8_t> known_, fresh_;
+  std::vector<std::uint8_t> known_, fresh_, anew_;
+  std::vector<float> drift_x_, drift_y_, drift_z_;
   std::vector<Symptoms> symptoms_;
   Symptoms everybody_;
   Time began_{0};

@@ -11,6 +11,8 @@ constexpr int kBelieved = 3;
 // m: who was told to go less far may well be where it was. Motors have a dead band.
 constexpr double kLeastTravel = 1e-3;
 constexpr double kPlaceRounding = 0x1p-20;
+// Samples at one place, of one that was told to move between them.
+constexpr int kEqualByChance = 2;
 constexpr double kCellDiagonal = 1.7320508075688772;
 // m: who stays within it stands.
 constexpr double kStill = 5e-3;
@@ -78,12 +80,12 @@ void SourceJudge::acquit(std::size_t robot) noexcept {
 bool SourceJudge::freezes(Repeat& repeat, const Sample& sample,
                           const Eigen::RowVector3d& told) const noexcept {
   if (sample.stamp <= repeat.stamp) {
-    return repeat.frozen;  // not a fresh stamp: says nothing
+    return repeat.refused;  // not a fresh stamp: says nothing
   }
   const Place& place = sample.value.position;
   repeat.stamp = sample.stamp;
   if (repeat.equal == 0 || repeat.place != place) {
-    repeat = {1, sample.stamp, place, told, told, false};
+    repeat = {1, sample.stamp, place, told, told};
     return false;
   }
   // Only those count before which it was told to move.
@@ -92,9 +94,12 @@ bool SourceJudge::freezes(Repeat& repeat, const Sample& sample,
   // A place is the same anywhere in a cell of the resolution: as far as from corner to corner.
   const double least =
       kLeastTravel + kCellDiagonal * resolution_ + kPlaceRounding * place.cwiseAbs().maxCoeff();
-  repeat.frozen =
-      repeat.frozen || (repeat.equal >= frozen_samples_ && (told - repeat.first_told).norm() > least);
-  return repeat.frozen;
+  // It is refused before it is called frozen: who believes it until then believes that the robot stands.
+  // Only who stops a sample before its model shows one that is equal, and no more.
+  repeat.refused =
+      repeat.refused || (repeat.equal > kEqualByChance && (told - repeat.first_told).norm() > least);
+  repeat.frozen = repeat.frozen || (repeat.equal >= frozen_samples_ && repeat.refused);
+  return repeat.refused;
 }
 
 void SourceJudge::suspect_of(std::size_t robot, const Sample& sample, Time gap) noexcept {

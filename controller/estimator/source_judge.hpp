@@ -61,6 +61,7 @@ class SourceJudge {
     Place place = Place::Zero();
     Eigen::RowVector3d first_told = Eigen::RowVector3d::Zero();  // m, when the first of them came
     Eigen::RowVector3d told = Eigen::RowVector3d::Zero();        // m, when the last did
+    bool refused = false;                                        // by then it cannot be where it was
     bool frozen = false;
   };
   bool freezes(Repeat& repeat, const Sample& sample, const Eigen::RowVector3d& told) const noexcept;

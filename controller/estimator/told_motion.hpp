@@ -23,6 +23,8 @@ class ToldMotion {
 
   // m, since the beginning, of the times in which it was told to move.
   const Eigen::RowVector3d& travel(std::size_t robot) const noexcept { return models_[robot].travel; }
+  // m/s, as its model has it.
+  const Eigen::RowVector3d& velocity(std::size_t robot) const noexcept { return models_[robot].velocity; }
   bool stands(std::size_t robot) const noexcept { return models_[robot].velocity.norm() < kStanding; }
 
  private:

@@ -1,6 +1,7 @@
 #include "controller/governor/fleet.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/finite.hpp"
 
@@ -10,6 +11,8 @@ namespace {
 // A robot that is said to be faster than this many times its speed limit when it is first seen is not
 // believed.
 constexpr double kBelievable = 10.0;
+// s, within which it is forgotten that a reference was moved: a drift that leaves the tube in less is told.
+constexpr double kSlipSeconds = 0.25;
 
 std::vector<GroupModel> group_models(const GovernorConfig& config) {
   std::vector<GroupModel> groups;
@@ -39,6 +42,7 @@ double usual_ball(const GovernorConfig& config) {
 
 Fleet::Fleet(const GovernorConfig& config)
     : groups_(group_models(config)),
+      ground_(static_cast<double>(config.fence.min.z)),
       claims_(agents_of(config)),
       balls_(agents_of(config)),
       cells_(agents_of(config), config.fence, usual_ball(config)) {
@@ -64,7 +68,10 @@ void Fleet::settle(const GovernorState& state, std::uint64_t ticks) noexcept {
     const glm::vec3 velocity(state.vx[i], state.vy[i], state.vz[i]);
     robots_[i].estimated = state.known[i] != 0 && finite(place) && finite(velocity);
     robots_[i].estimate = robots_[i].estimated ? glm::dvec3(place) : glm::dvec3(0.0);
+    robots_[i].velocity = robots_[i].estimated ? velocity : glm::vec3(0.0F);
     settle_robot(i, state.authority.empty() ? Authority::kGoverned : state.authority[i], velocity, ticks);
+    measure(i, state.measured.empty() || state.measured[i] != 0, !state.anew.empty() && state.anew[i] != 0,
+            ticks);
     balls_[i] = ball_of(i);
   }
   cells_.sort(balls_);
@@ -102,6 +109,10 @@ void Fleet::settle_robot(std::size_t i, Authority authority, glm::vec3 velocity,
       break;
     case Authority::kGoverned:
     case Authority::kBraking:
+      // Whoever lands is not where its reference was left.
+      settle_ours(i, is_flown(before) && !robot.descends, velocity, ticks);
+      break;
+    case Authority::kLanding:
       settle_ours(i, is_flown(before), velocity, ticks);
   }
 }
@@ -117,6 +128,7 @@ void Fleet::settle_ours(std::size_t i, bool was_ours, glm::vec3 velocity, std::u
       robot.reference.advance(robot.sent, group.model);
     }
   } else {
+    robot.descends = false;
     robot.estimated =
         robot.estimated && length3(glm::dvec3(velocity)) <= kBelievable * group.spec.limits.speed;
     if (!robot.estimated) {
@@ -126,6 +138,38 @@ void Fleet::settle_ours(std::size_t i, bool was_ours, glm::vec3 velocity, std::u
     robot.sent = velocity;
   }
   reserve_braking(i);
+}
+
+// Between two measurements a robot is taken to be as far off its reference as it was at the first. What it
+// may do beside its reference changes with each: it is reserved anew.
+void Fleet::measure(std::size_t i, bool measured, bool anew, std::uint64_t ticks) noexcept {
+  FleetRobot& robot = robots_[i];
+  const GroupModel& group = group_of(i);
+  if (robot.slipped != glm::dvec3(0.0)) {
+    robot.slipped *= std::exp(-group.model.period * static_cast<double>(ticks) / kSlipSeconds);
+  }
+  if (robot.descends) {
+    return;  // on its own way, which the column below it holds
+  }
+  if (!is_flown(robot.authority) || !robot.reference.known()) {
+    robot.off = robot.beyond = robot.slipped = glm::dvec3(0.0);
+    robot.torn = robot.strays = false;
+    return;
+  }
+  if (!robot.estimated || !measured) {
+    return;
+  }
+  const double tube = group.spec.limits.tube;
+  const bool strayed = robot.strays;
+  robot.off = robot.reference.way_to(robot.estimate);
+  const double off = length3(robot.off);
+  const bool within = off <= tube || tube <= 0.0;
+  robot.torn = (robot.torn || anew) && !within;
+  robot.beyond = within ? glm::dvec3(0.0) : robot.off * (1.0 - tube / off);
+  robot.strays = tube > 0.0 && (!within || length3(robot.off + robot.slipped) > tube);
+  if (strayed || robot.strays) {
+    reserve_braking(i);
+  }
 }
 
 // A ball around the place where it was seen last, which grows until it is seen again.
@@ -155,6 +199,12 @@ void Fleet::reserve_braking(std::size_t i) noexcept {
   if (braking.watchdog > 0.0) {  // it may not hear that it is to brake
     robot.braking.add(robot.reference.lead() + way_to_rest(velocity, braking));
   }
+  if (robot.authority == Authority::kLanding && (robot.descends || robot.sent == glm::vec3(0.0F))) {
+    for (glm::dvec3 below : {robot.reference.lead(), robot.reference.lead() + robot.beyond}) {
+      below.z = std::min(below.z, ground_ + group_of(i).kept);
+      robot.braking.add(below);
+    }
+  }
   claims_[i] = claim_of(i, robot.braking);
 }
 
@@ -164,15 +214,25 @@ Hull Fleet::hull_of(std::size_t i, glm::dvec3 command) const noexcept {
   robot.reference.add_tail(hull, group_of(i).model);
   add_command(hull, robot.reference.lead(), glm::dvec3(robot.reference.velocity()), command,
               group_of(i).braking);
+  if (robot.beyond != glm::dvec3(0.0)) {
+    hull.add_shifted(robot.beyond);
+  }
   return hull;
 }
 
 Claim Fleet::claim_of(std::size_t i, const Hull& hull) const noexcept {
   const GroupModel& group = group_of(i);
-  return {.present = true,
-          .capsule = capsule_around(hull.points()),
-          .kept = group.kept,
-          .scale = 1.0 / static_cast<double>(group.spec.limits.downwash)};
+  const FleetRobot& robot = robots_[i];
+  Claim claim{.present = true,
+              .capsule = capsule_around(hull.points()),
+              .kept = group.kept,
+              .scale = 1.0 / static_cast<double>(group.spec.limits.downwash)};
+  // One that does not go where it is told is not ours to promise for.
+  if (robot.strays) {
+    claim.speed = length3(glm::dvec3(robot.velocity));
+    claim.acceleration = group.spec.limits.acceleration;
+  }
+  return claim;
 }
 
 NeighbourCells::Ball Fleet::ball_of(std::size_t i) const noexcept {
@@ -183,9 +243,11 @@ NeighbourCells::Ball Fleet::ball_of(std::size_t i) const noexcept {
   const GroupModel& group = group_of(i);
   const Reference& reference = robots_[i].reference;
   const double around = claim.kept * tallest_;
-  if (is_flown(robots_[i].authority) && reference.known()) {
+  if (is_flown(robots_[i].authority) && robots_[i].authority != Authority::kLanding && reference.known()) {
     const double speed = length3(glm::dvec3(reference.velocity()));
-    return {reference.lead(), around + group.reach(speed, reference.tail_reach(group.model))};
+    const double reach = group.reach(speed, reference.tail_reach(group.model));
+    return {reference.lead(),
+            around + reach + length3(robots_[i].beyond) + tallest_ * reach_of(claim, longest_rest_)};
   }
   const Capsule& capsule = claim.capsule;
   return {capsule.a, around + capsule.radius + length3(capsule.b - capsule.a) +
@@ -198,8 +260,23 @@ Nearness Fleet::nearness_of(std::size_t i, const Hull& hull, const Claim& claim,
   return nearness(wish, claims_[i], claims_, near(i));
 }
 
+// The claim of one at rest reaches to the ground already. One that is not governed asks nobody, nor one of
+// which nobody ever knew where it was.
+bool Fleet::may_descend(std::size_t i, Nearness nearness) noexcept {
+  FleetRobot& robot = robots_[i];
+  const bool rests = robot.sent == glm::vec3(0.0F);
+  robot.descends = robot.descends || (rests && nearness == Nearness::kApart);
+  return robot.descends;
+}
+
 void Fleet::shift(std::size_t i, glm::dvec3 way) noexcept {
-  robots_[i].reference.shift(way);
+  FleetRobot& robot = robots_[i];
+  robot.reference.shift(way);
+  robot.off -= way;
+  robot.slipped += way;
+  const double off = length3(robot.off);
+  const double tube = group_of(i).spec.limits.tube;
+  robot.beyond = off <= tube || tube <= 0.0 ? glm::dvec3(0.0) : robot.off * (1.0 - tube / off);
   reserve_braking(i);
 }
 

@@ -24,7 +24,16 @@ struct FleetRobot {
   glm::vec3 sent{0.0F};      // the last command, exactly
   glm::dvec3 estimate{0.0};  // where it was measured, if `estimated`
   bool estimated = false;
-  Hull braking;  // what it has reserved, if its reference is known: braking keeps it in
+  glm::vec3 velocity{0.0F};  // m/s, as it was measured, if `estimated`
+  glm::dvec3 off{0.0};     // m, from the reference to where it was measured last; 0 of one that is not flown
+  glm::dvec3 beyond{0.0};  // m, what of it is beyond the tube: it may be at either place
+  // m, by which the reference was moved to where it was measured, forgotten within a quarter of a second: a
+  // drift is seen even where the reference follows it.
+  glm::dvec3 slipped{0.0};
+  bool strays = false;    // both together are beyond the tube: it does not go where it is told
+  bool torn = false;      // it was measured elsewhere at once: nobody knows which place is right
+  bool descends = false;  // it was told to land
+  Hull braking;           // what it has reserved, if its reference is known: braking keeps it in
 };
 
 class Fleet {
@@ -48,6 +57,8 @@ class Fleet {
   void reserve(std::size_t i, const Claim& claim) noexcept { claims_[i] = claim; }
   // Of a wish of robot i beside what all others have reserved. `speed`: m/s, as it would be commanded.
   Nearness nearness_of(std::size_t i, const Hull& hull, const Claim& claim, double speed) noexcept;
+  // Of one that is to land: whether it may be told so. From then on it goes its own way down.
+  bool may_descend(std::size_t i, Nearness nearness) noexcept;
   // Moves the reference; what braking needs moves with it.
   void shift(std::size_t i, glm::dvec3 way) noexcept;
 
@@ -56,11 +67,13 @@ class Fleet {
  private:
   void settle_robot(std::size_t i, Authority authority, glm::vec3 velocity, std::uint64_t ticks) noexcept;
   void settle_ours(std::size_t i, bool was_ours, glm::vec3 velocity, std::uint64_t ticks) noexcept;
+  void measure(std::size_t i, bool measured, bool anew, std::uint64_t ticks) noexcept;
   void settle_foreign(std::size_t i, glm::vec3 velocity, std::uint64_t ticks) noexcept;
   void reserve_braking(std::size_t i) noexcept;
   NeighbourCells::Ball ball_of(std::size_t i) const noexcept;
 
   std::vector<GroupModel> groups_;
+  double ground_ = 0.0;        // m, the height where whoever lands comes to rest, or lower
   double tallest_ = 1.0;       // the largest `downwash`
   double longest_rest_ = 0.0;  // s, of anybody
   std::vector<FleetRobot> robots_;

@@ -52,12 +52,11 @@ void Governor::govern(Time now, const GovernorState& state, const DesiredColumns
   const std::size_t first = agents() == 0 ? 0 : counters_.ticks % agents();
   for (std::size_t n = 0; n < agents(); ++n) {
     const std::size_t i = first + n < agents() ? first + n : first + n - agents();
-    const glm::dvec3 off = off_reference(i);
-    nudge(i, off);
+    nudge(i);
     const Decision decision = decide(i, {desired.vx[i], desired.vy[i], desired.vz[i]});
     tell(i, decision, out);
     if (!out.symptoms.empty()) {
-      out.symptoms[i] = symptoms_of(i, decision, length3(off));
+      out.symptoms[i] = symptoms_of(i, decision);
     }
   }
 }
@@ -94,6 +93,9 @@ Governor::Decision Governor::decide(std::size_t i, glm::vec3 desired) noexcept {
     const double speed = length3(glm::dvec3(robot.sent));
     decision.nearness = fleet_.nearness_of(i, robot.braking, fleet_.claim(i), speed);
   }
+  if (robot.authority == Authority::kLanding && fleet_.may_descend(i, decision.nearness)) {
+    decision.kind = CommandKind::kLand;
+  }
   return decision;
 }
 
@@ -103,6 +105,7 @@ bool Governor::may_move(std::size_t i, glm::vec3 desired, Decision& decision) co
     case Authority::kGoverned:
       break;
     case Authority::kBraking:
+    case Authority::kLanding:
     case Authority::kSilent:
       decision.add(GovernorReason::kOrdered);
       return false;
@@ -206,20 +209,19 @@ bool Governor::clear_of_all(std::size_t i, const Trial& trial) const noexcept {
                          config_.obstacles, clearance);
 }
 
-// From the reference to where the robot was measured; nothing where there is no such thing.
-glm::dvec3 Governor::off_reference(std::size_t i) const noexcept {
-  const FleetRobot& robot = fleet_.robot(i);
-  return is_flown(robot.authority) && robot.estimated && robot.reference.known()
-             ? robot.reference.way_to(robot.estimate)
-             : glm::dvec3(0.0);
-}
-
 // Moves a reference to where half the tube reaches the robot: no farther in a tick than it might have flown,
 // and with a tube only to where its reservation is free. Without one nothing is promised of the difference.
-void Governor::nudge(std::size_t i, glm::dvec3 way) noexcept {
+// As far as the tube reaches it, it needs not ask: so far its claim goes already.
+void Governor::nudge(std::size_t i) noexcept {
   const GroupModel& group = fleet_.group_of(i);
+  const glm::dvec3 way = fleet_.robot(i).off;
   const double off = length3(way);
-  if (!group.spec.enabled || off <= group.nudge_from) {
+  if (!group.spec.enabled || off <= group.nudge_from || fleet_.robot(i).torn) {
+    return;
+  }
+  if (const double beyond = length3(fleet_.robot(i).beyond); beyond > 0.0) {
+    fleet_.shift(i, way * (std::min(beyond, group.most_nudge) / off));
+    ++counters_.nudges;
     return;
   }
   const glm::dvec3 step = way * (std::min(off - group.nudge_from, group.most_nudge) / off);
@@ -235,14 +237,14 @@ void Governor::nudge(std::size_t i, glm::dvec3 way) noexcept {
   ++counters_.nudges;
 }
 
-Symptoms Governor::symptoms_of(std::size_t i, const Decision& decision, double off) const noexcept {
+Symptoms Governor::symptoms_of(std::size_t i, const Decision& decision) const noexcept {
   const GovernorLimits& limits = fleet_.group_of(i).spec.limits;
   const FleetRobot& robot = fleet_.robot(i);
   Symptoms symptoms;
   if (!fleet_.group_of(i).spec.enabled || !is_flown(robot.authority)) {
     return symptoms;
   }
-  if (limits.tube > 0.0F && off > static_cast<double>(limits.tube)) {
+  if (robot.strays) {
     symptoms.add(Symptom::kTrackingError);
   }
   if (robot.estimated && fence_.depth(robot.estimate) < limits.radius - fleet_.group_of(i).nudge_from) {

@@ -72,9 +72,8 @@ class Governor {
   bool admissible(std::size_t i, const Trial& trial, Decision& decision, GovernorReason& cause) noexcept;
   bool clear_of_all(std::size_t i, const Trial& trial) const noexcept;
 
-  glm::dvec3 off_reference(std::size_t i) const noexcept;
-  void nudge(std::size_t i, glm::dvec3 off) noexcept;
-  Symptoms symptoms_of(std::size_t i, const Decision& decision, double off) const noexcept;
+  void nudge(std::size_t i) noexcept;
+  Symptoms symptoms_of(std::size_t i, const Decision& decision) const noexcept;
   void tell(std::size_t i, const Decision& decision, const GovernedColumns& out) noexcept;
 
   Result<void> admit_robot(std::size_t i);

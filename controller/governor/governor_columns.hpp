@@ -17,6 +17,9 @@ enum class Authority : std::uint8_t {
   kGoverned,  // the planner's, as far as the governor lets it
   kBraking,   // ours: it brakes, then holds
   kAtRest,    // nobody's: it stands with its motors off, wherever its estimate says
+  // Ours, and then its firmware's: it brakes, and lands from where it rests. What is below it is its own from
+  // then on, and it is told to land once nobody else has a claim there.
+  kLanding,
   // Its link is dead: what it may still do alone is what was reserved for it, and that stays so until it is
   // heard again. It is told to brake all the same.
   kSilent,
@@ -26,7 +29,8 @@ enum class Authority : std::uint8_t {
 
 // Whether it is in the air on our commands.
 constexpr bool is_flown(Authority authority) {
-  return authority == Authority::kGoverned || authority == Authority::kBraking;
+  return authority == Authority::kGoverned || authority == Authority::kBraking ||
+         authority == Authority::kLanding;
 }
 
 struct GovernorState {
@@ -34,12 +38,20 @@ struct GovernorState {
   std::span<const float> vx, vy, vz;       // estimated
   std::span<const std::uint8_t> known;     // 0: the rest of the row may not be relied on
   std::span<const Authority> authority{};  // empty: all are governed
+  // 1: `known` by a pose that came in this tick. A place that is only predicted says nothing of how far the
+  // robot is off its reference, which knows what it was told since. Empty: as `known`.
+  std::span<const std::uint8_t> measured{};
+  // 1: from now on it is measured elsewhere, because of poses that agree with each other, and not with those
+  // before. Empty: nobody is.
+  std::span<const std::uint8_t> anew{};
 };
 
 inline bool columns_fit(std::size_t agents, const GovernorState& state) noexcept {
   const std::size_t least = std::min({state.x.size(), state.y.size(), state.z.size(), state.vx.size(),
                                       state.vy.size(), state.vz.size(), state.known.size()});
-  return least >= agents && (state.authority.empty() || state.authority.size() >= agents);
+  return least >= agents && (state.authority.empty() || state.authority.size() >= agents) &&
+         (state.measured.empty() || state.measured.size() >= agents) &&
+         (state.anew.empty() || state.anew.size() >= agents);
 }
 
 struct DesiredColumns {
@@ -47,7 +59,7 @@ struct DesiredColumns {
 };
 
 struct GovernedColumns {
-  std::span<CommandKind> kind;  // kVelocity; kHold; kNone of a robot that is not ours
+  std::span<CommandKind> kind;  // kVelocity; kHold; kLand; kNone of a robot that is not ours
   std::span<float> vx, vy, vz;
   // Of each robot, fresh: kTrackingError, kOutOfFence, kTooNear, kCommandNotFinite. May be empty: not told.
   std::span<Symptoms> symptoms{};

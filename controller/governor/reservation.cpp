@@ -29,6 +29,13 @@ Hull Hull::shifted(glm::dvec3 way) const noexcept {
   return hull;
 }
 
+void Hull::add_shifted(glm::dvec3 way) noexcept {
+  const std::size_t before = count_;
+  for (std::size_t n = 0; n < before; ++n) {
+    add(points_[n] + way);
+  }
+}
+
 double Hull::least_along(glm::dvec3 n) const noexcept {
   double least = std::numeric_limits<double>::infinity();
   for (const glm::dvec3& point : points()) {

@@ -45,13 +45,16 @@ class Hull {
  public:
   void add(glm::dvec3 point) noexcept { points_[count_++] = point; }
   Hull shifted(glm::dvec3 way) const noexcept;
+  // All of it, moved by `way`, as well: it may be at either place, and between.
+  void add_shifted(glm::dvec3 way) noexcept;
   std::span<const glm::dvec3> points() const noexcept { return {points_.data(), count_}; }
   // The least of n · x over it.
   double least_along(glm::dvec3 n) const noexcept;
 
  private:
-  // A body, the leads of the latency, a command's, and a stop without one.
-  std::array<glm::dvec3, 1 + kMostLatency + kCommandPoints + 1> points_{};
+  // A body, the leads of the latency, a command's, and a stop without one; as many where it was measured; and
+  // two below, of one that lands.
+  std::array<glm::dvec3, 2 * (1 + kMostLatency + kCommandPoints + 1) + 2> points_{};
   std::size_t count_ = 0;
 };
 

@@ -292,7 +292,7 @@ void Guard::govern(Time now) noexcept {
   const EstimateColumns e = estimator_.estimate();
   orders_.give({wish_, lives_, reactions_.severities(), symptoms_, present_, e});
   const GovernedColumns governed{kind_, vx_, vy_, vz_, governed_};
-  governor_.govern(now, {e.x, e.y, e.z, e.vx, e.vy, e.vz, e.known, orders_.authority()}, orders_.desired(),
+  governor_.govern(now, {e.x, e.y, e.z, e.vx, e.vy, e.vz, e.known, orders_.authority(), e.fresh, e.anew}, orders_.desired(),
                    governed);
   orders_.finish(governed);
 }

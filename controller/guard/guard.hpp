@@ -65,6 +65,8 @@ class Guard {
 
   EstimateColumns estimate() const noexcept { return estimator_.estimate(); }
   std::span<const Telemetry> telemetry() const noexcept { return estimator_.telemetry(); }
+  // Where the governor takes a robot to be, as of the last act().
+  GovernorReference reference(RobotIndex robot) const noexcept { return governor_.reference(robot); }
   std::span<const RobotState> states() const noexcept { return lives_.states(); }
   std::span<const Severity> severities() const noexcept { return reactions_.severities(); }
   std::span<const Symptoms> symptoms() const noexcept { return symptoms_; }  // as of the last act()

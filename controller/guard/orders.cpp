@@ -1,6 +1,7 @@
 #include "controller/guard/orders.hpp"
 
 #include <algorithm>
+#include <glm/geometric.hpp>
 #include <limits>
 #include <utility>
 
@@ -9,6 +10,10 @@ namespace {
 
 // Of what is wished of a robot whose link is bad.
 constexpr float kClampedShare = 0.5F;
+
+const glm::vec3 kNowhere(std::numeric_limits<float>::quiet_NaN());
+constexpr float kStayingRate = 2.0F;   // 1/s, of the way back to its place
+constexpr float kFarthestBack = 0.3F;  // m: from farther away it does not go back, but stays there
 
 }  // namespace
 
@@ -19,7 +24,8 @@ Orders::Orders(Config config)
       vx_(config_.robots),
       vy_(config_.robots),
       vz_(config_.robots),
-      ours_(config_.robots, 1) {}
+      ours_(config_.robots, 1),
+      places_(config_.robots, kNowhere) {}
 
 void Orders::give(const Tick& tick) noexcept {
   for (std::size_t robot = 0; robot < authority_.size(); ++robot) {
@@ -56,11 +62,38 @@ void Orders::order(const Tick& tick, std::size_t robot) noexcept {
   } else if (tick.symptoms[robot].has(Symptom::kSilent)) {
     set(robot, Authority::kSilent, Ending::kHold);
   } else {
-    set(robot, Authority::kBraking, Ending::kHold);
+    hold(tick, robot);
   }
 }
 
+// One that does not go where it is told would drift away if it were told to stand.
+void Orders::hold(const Tick& tick, std::size_t robot) noexcept {
+  if (!tick.symptoms[robot].has(Symptom::kTrackingError) || tick.estimate.known[robot] == 0) {
+    set(robot, Authority::kBraking, Ending::kHold);
+    return;
+  }
+  set(robot, Authority::kGoverned, Ending::kAsGoverned);
+  const glm::vec3 wish = against_drift(tick, robot);
+  wish_of(robot, wish.x, wish.y, wish.z);
+}
+
+// What keeps it in its place, as far as its speed reaches, m/s: through the governor like any other wish.
+glm::vec3 Orders::against_drift(const Tick& tick, std::size_t robot) noexcept {
+  const EstimateColumns& e = tick.estimate;
+  if (!tick.symptoms[robot].has(Symptom::kTrackingError) || e.drift_x.empty()) {
+    return glm::vec3(0.0F);
+  }
+  const glm::vec3 here(e.x[robot], e.y[robot], e.z[robot]);
+  const glm::vec3 drift(e.drift_x[robot], e.drift_y[robot], e.drift_z[robot]);
+  glm::vec3& place = places_[robot];
+  if (!(glm::distance(place, here) <= kFarthestBack)) {
+    place = here;
+  }
+  return kStayingRate * (place - here) - drift;
+}
+
 void Orders::obey(const Tick& tick, std::size_t robot) noexcept {
+  places_[robot] = kNowhere;
   switch (tick.lives.admit(static_cast<RobotIndex>(robot), tick.wish.kind(robot))) {
     case CommandKind::kVelocity: {
       set(robot, Authority::kGoverned, Ending::kAsGoverned);
@@ -95,10 +128,10 @@ void Orders::obey(const Tick& tick, std::size_t robot) noexcept {
 void Orders::land(const Tick& tick, std::size_t robot) noexcept {
   const bool descends = config_.descent > 0.0F && tick.estimate.known[robot] != 0;
   const bool is_down = !descends || tick.estimate.z[robot] <= config_.floor[robot];
-  set(robot, descends ? Authority::kGoverned : Authority::kBraking,
-      is_down ? Ending::kLand : Ending::kAsGoverned);
-  if (descends) {
-    wish_of(robot, 0.0F, 0.0F, -config_.descent);
+  set(robot, is_down ? Authority::kLanding : Authority::kGoverned, Ending::kAsGoverned);
+  if (!is_down) {
+    const glm::vec3 stay = against_drift(tick, robot);
+    wish_of(robot, stay.x, stay.y, -config_.descent);
   }
 }
 
@@ -115,9 +148,6 @@ void Orders::finish(const GovernedColumns& governed) const noexcept {
       case Ending::kHold:
         kind =
             rests || ours_[robot] == 0 || authority_[robot] == Authority::kAtRest ? CommandKind::kHold : kind;
-        break;
-      case Ending::kLand:
-        kind = rests ? CommandKind::kLand : kind;
         break;
       case Ending::kTakeOff:
         kind = CommandKind::kTakeOff;

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <glm/vec3.hpp>
 #include <span>
 #include <vector>
 
@@ -18,7 +19,6 @@ enum class Ending : std::uint8_t {
   kAsGoverned,
   kNone,     // nothing is sent: its motors are off
   kHold,     // at rest
-  kLand,     // at rest, where it may go no lower
   kTakeOff,  // its firmware's own way up
   kStop,     // motors off, at once
 };
@@ -55,6 +55,8 @@ class Orders {
   void order(const Tick& tick, std::size_t robot) noexcept;
   void obey(const Tick& tick, std::size_t robot) noexcept;
   void land(const Tick& tick, std::size_t robot) noexcept;
+  void hold(const Tick& tick, std::size_t robot) noexcept;
+  glm::vec3 against_drift(const Tick& tick, std::size_t robot) noexcept;
   void set(std::size_t robot, Authority authority, Ending ending) noexcept;
   void wish_of(std::size_t robot, float x, float y, float z) noexcept;
 
@@ -63,6 +65,7 @@ class Orders {
   std::vector<Ending> ending_;
   std::vector<float> vx_, vy_, vz_;
   std::vector<std::uint8_t> ours_;
+  std::vector<glm::vec3> places_;  // m, where one that drifts is to stay; NaN of the others
 };
 
 }  // namespace mayfly

@@ -143,6 +143,38 @@ TEST(PerfectPoses, WithDerivedVelocitiesKeepThePlaceExact) {
   EXPECT_NEAR(rig.velocity(0)[0], 1.0, 1e-4);
 }
 
+// Along x, of a robot that is told to fly at 1 m/s and does so at `speed`.
+float drift_at(double speed, int ticks) {
+  Rig rig(config_of(1));
+  rig.tell(0, {1.0, 0.0, 0.0});
+  for (int i = 0; i < ticks; ++i) {
+    rig.put(0, {0.01 * speed * i, 0.0, 0.0}, {speed, 0.0, 0.0});
+    rig.tick();
+  }
+  EXPECT_EQ(rig.estimator.estimate().drift_y[0], 0.0F);
+  return rig.estimator.estimate().drift_x[0];
+}
+
+TEST(Drift, IsWhatItFliesBesideWhatItIsTold) {
+  EXPECT_NEAR(drift_at(1.0, 200), 0.0F, 1e-3F);
+  EXPECT_NEAR(drift_at(1.5, 200), 0.5F, 1e-3F);
+  EXPECT_NEAR(drift_at(0.3, 200), -0.7F, 1e-3F);
+}
+
+TEST(Drift, OfOneThatNobodySeesIsNotKnown) {
+  Rig rig(config_of(1));
+  for (int i = 0; i < 100; ++i) {
+    rig.put(0, {0.005 * i, 0.0, 0.0}, {0.5, 0.0, 0.0});
+    rig.tick();
+  }
+  EXPECT_NEAR(rig.estimator.estimate().drift_x[0], 0.5F, 1e-3F);
+  rig.lose(0);
+  for (int i = 0; i < 10; ++i) {
+    rig.tick();
+  }
+  EXPECT_EQ(rig.estimator.estimate().drift_x[0], 0.0F);
+}
+
 TEST(Prediction, GoesOnWithTheLastVelocityTillTheTick) {
   Rig rig(config_of(1));
   rig.put_at(0, {1.0, 2.0, 3.0}, {1.0, -2.0, 0.5}, rig.now - Time(4'000'000));

@@ -107,8 +107,8 @@ TEST(FrozenPose, OneBitIsADifference) {
 TEST(FrozenPose, IsNotTakenAndEndsUnknown) {
   Rig rig(config_of(1));
   ASSERT_EQ(frozen_tick(rig, {1.0, 0.0, 0.0}, 20), 5);
-  EXPECT_EQ(rig.count(SampleFate::kFrozen), 1U);
-  for (int i = 0; i < 4; ++i) {
+  EXPECT_EQ(rig.count(SampleFate::kFrozen), 3U);  // from the third on, before it is called frozen
+  for (int i = 0; i < 2; ++i) {
     rig.put(0, {1.0, 2.0, 3.0});
     rig.tick();
     EXPECT_TRUE(rig.known(0));
@@ -117,6 +117,18 @@ TEST(FrozenPose, IsNotTakenAndEndsUnknown) {
   rig.tick();
   EXPECT_TRUE(rig.has(0, Symptom::kStalePose));
   EXPECT_FALSE(rig.known(0));
+}
+
+TEST(FrozenPose, OneSampleThatIsEqualMayComeOfAnEarlyStop) {
+  Rig rig(config_of(1));
+  ASSERT_EQ(frozen_tick(rig, {1.0, 0.0, 0.0}, 1), 0);
+  rig.tell_hold(0);
+  for (int i = 0; i < 20; ++i) {
+    rig.put(0, {1.0, 2.0, 3.0});
+    rig.tick();
+    ASSERT_TRUE(rig.known(0));
+  }
+  EXPECT_EQ(rig.count(SampleFate::kFrozen), 0U);
 }
 
 TEST(FrozenPose, StaysWhileTheRobotIsHeldAndClearsWithTheFirstOther) {

@@ -126,6 +126,10 @@ TEST(ThreeJumps, AreToldBeforeTheFourthIsBelieved) {
   EXPECT_TRUE(rig.estimator.estimate().symptoms[0].empty());
   EXPECT_EQ(rig.place(0), (Vec{1.0, static_cast<double>(0.04F), 1.0}));
   EXPECT_EQ(rig.estimator.counters().started_anew, 1U);
+  EXPECT_EQ(rig.estimator.estimate().anew[0], 1) << "whoever relies on the place is told";
+  rig.put(0, {1.0, 0.05, 1.0});
+  rig.tick();
+  EXPECT_EQ(rig.estimator.estimate().anew[0], 0);
 }
 
 TEST(ThreeJumps, TheTrackBeginsWithNoMoreThanOneSample) {

@@ -18,7 +18,7 @@ namespace mayfly::test {
 class Robots final : public Hal {
  public:
   explicit Robots(std::vector<glm::vec3> places)
-      : at(std::move(places)), velocity(at.size()), mute(at.size()) {
+      : at(std::move(places)), velocity(at.size()), wind(at.size()), mute(at.size()) {
     for (std::size_t i = 0; i < at.size(); ++i) {
       infos_.push_back({"robot_" + std::to_string(i), i + 1 < at.size() ? "first" : "second"});
     }
@@ -29,6 +29,7 @@ class Robots final : public Hal {
   std::string_view name() const noexcept override { return "robots"; }
 
   std::vector<glm::vec3> at, velocity;
+  std::vector<glm::vec3> wind;     // m/s, beside what it is told
   std::vector<std::uint8_t> mute;  // 1: no pose comes of it
   std::vector<Telemetry> telemetry;
   std::vector<CommandKind> kind;  // as told last
@@ -44,7 +45,7 @@ class Robots final : public Hal {
     const auto passed = static_cast<float>(to_seconds(now - last_));
     last_ = now;
     for (std::size_t i = 0; i < at.size(); ++i) {
-      at[i] += passed * velocity[i];
+      at[i] += passed * (velocity[i] + wind[i]);
       if (!to.telemetry.empty()) {
         to.telemetry[i] = telemetry[i];
       }
@@ -55,9 +56,9 @@ class Robots final : public Hal {
       to.x[i] = at[i].x;
       to.y[i] = at[i].y;
       to.z[i] = at[i].z;
-      to.vx[i] = velocity[i].x;
-      to.vy[i] = velocity[i].y;
-      to.vz[i] = velocity[i].z;
+      to.vx[i] = velocity[i].x + wind[i].x;
+      to.vy[i] = velocity[i].y + wind[i].y;
+      to.vz[i] = velocity[i].z + wind[i].z;
       to.stamp[i] = now;
       to.valid[i] = 1;
     }

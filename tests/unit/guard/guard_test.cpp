@@ -4,6 +4,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 #include <random>
 
@@ -190,6 +192,35 @@ TEST(Guard, AnEmptyBatteryLandsItsRobotInsideTheGuarantee) {
   EXPECT_LT(trip.robots.at[0].z, 0.5F);
   EXPECT_EQ(trip.robots.kind[0], CommandKind::kLand) << "the rest is its firmware's";
   expect_no_breach(*trip.guard);
+}
+
+TEST(Guard, OneThatDriftsIsToldAndHoldsItsPlaceAndLandsBesideNobody) {
+  FieldTrip trip({{5, 10, 3}, {5, 10.6F, 3}});
+  trip.fly(0.5);
+  trip.robots.wind[0] = {0, 0.5F, 0};
+  trip.fly(0.3);
+  EXPECT_EQ(trip.severity(0), Severity::kHold);
+  EXPECT_EQ(trip.severity(1), Severity::kNone);
+  float farthest = 0.0F;
+  for (int n = 0; n < 1000; ++n) {
+    trip.tick();
+    if (trip.robots.kind[0] == CommandKind::kVelocity) {
+      farthest = std::max(farthest, std::hypot(trip.robots.at[0].x - 5.0F, trip.robots.at[0].y - 10.0F));
+    }
+  }
+  EXPECT_EQ(trip.severity(0), Severity::kLand);
+  EXPECT_LT(trip.robots.at[0].z, 0.5F) << "it is brought down";
+  EXPECT_LT(farthest, 0.25F) << "against the wind, which would have carried it metres away";
+  EXPECT_EQ(trip.robots.kind[0], CommandKind::kLand);
+}
+
+// Wind that is within what a tube allows is not told, and followed.
+TEST(Guard, OneThatDriftsSlowlyFliesOn) {
+  FieldTrip trip({{5, 10, 3}});
+  trip.fly(0.5);
+  trip.robots.wind[0] = {0, 0.05F, 0};
+  trip.fly(3);
+  EXPECT_EQ(trip.severity(0), Severity::kNone);
 }
 
 TEST(Guard, OneThatWasNeverHeardIsToldToHoldAndNothingEscalates) {
