@@ -171,17 +171,26 @@ Time most_delay(const Scenario& scenario) {
                       1.0 / static_cast<double>(sim.rate));
 }
 
+// s from the start to the tick that has the first poses.
+double first_pose(const Scenario& scenario) {
+  const auto rate = static_cast<double>(scenario.control.rate);
+  return std::ceil(static_cast<double>(scenario.hals.front().sim.delay) * rate - 1e-6) / rate;
+}
+
 struct Noticed {
   std::optional<double> after;  // s, from when it can be seen
   bool missed = false;
 };
 
 // A robot that does not go where it is told can be seen to once it has left its tube, a frozen pose of one
-// that is told to move; the others as soon as they begin.
+// that is told to move, how robots start as soon as there is a pose; the others as soon as they begin.
 Noticed when_noticed(const Scenario& scenario, const FaultSpec& fault, const std::vector<FaultEvent>& events,
                      const GuardWitness& witness) {
   const auto after = noticed_after(scenario, fault, events);
   const std::size_t robot = fault.agents.front().first;
+  if (fault_row(fault.kind).place == FaultPlace::kStart && after) {
+    return {std::max(0.0, *after - first_pose(scenario)), false};
+  }
   if (fault.kind == FaultKind::kPoseFrozen && after) {
     return {witness.told_to_move(robot, fault.at, fault.at + *after), false};
   }
@@ -249,7 +258,7 @@ Result<FaultFlight> fly_with_faults(const FaultWorld& world, const std::vector<F
                             .clock = sabotage.clock(),
                             .stop = sabotage.stop(),
                             .guard = &guard,
-                            .between = [&](GuardPort& guard) { return sabotage.before(guard); }});
+                            .between = [&](GuardPort& port) { return sabotage.before(port); }});
   if (!summary) {
     return fail(summary.error());
   }

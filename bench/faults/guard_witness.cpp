@@ -73,7 +73,7 @@ simulate::BreachCounts GuardWitness::suspended(Time late) const {
   simulate::BreachCounts counts{};
   std::map<std::tuple<simulate::Breach, std::uint32_t, std::uint32_t>, Time>
       until;  // of those that were suspended
-  for (const Incident& incident : breaches_.incidents()) {
+  for (const simulate::Incident& incident : breaches_.incidents()) {
     const auto [known, is_new] =
         until.try_emplace({incident.breach, incident.first, incident.second}, Time::min());
     const bool goes_on = !is_new && incident.at <= known->second;
