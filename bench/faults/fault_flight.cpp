@@ -43,6 +43,7 @@ hal:
 )";
 
 constexpr std::uint64_t kNever = 1'000'000;  // ticks
+constexpr double kLongFrozen = 0.14;         // s, told to move: by then it has to be seen
 constexpr float kStartApart = 0.8F;          // m
 constexpr float kTooFast = 1.5F;             // the planner's speed, by the limit
 
@@ -191,8 +192,9 @@ Noticed when_noticed(const Scenario& scenario, const FaultSpec& fault, const std
   if (fault_row(fault.kind).place == FaultPlace::kStart && after) {
     return {std::max(0.0, *after - first_pose(scenario)), false};
   }
-  if (fault.kind == FaultKind::kPoseFrozen && after) {
-    return {witness.told_to_move(robot, fault.at, fault.at + *after), false};
+  if (fault.kind == FaultKind::kPoseFrozen) {
+    const double moved = witness.told_to_move(robot, fault.at, fault.at + after.value_or(fault.length));
+    return {after ? std::optional(moved) : std::nullopt, !after && moved > kLongFrozen};
   }
   if (fault_row(fault.kind).symptom != Symptom::kTrackingError) {
     return {after, !after};
