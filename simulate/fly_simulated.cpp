@@ -30,7 +30,8 @@ tl::expected<Summary, std::vector<Error>> fly_simulated(const Scenario& scenario
                     .truth = robots.truth.get(),
                     .clock = sabotage.clock(),
                     .observers = options.observers,
-                    .stop = sabotage.stop()});
+                    .stop = sabotage.stop(),
+                    .exchange = robots.exchange.get()});
   if (!flown) {
     return tl::unexpected(std::vector<Error>{std::move(flown.error())});
   }

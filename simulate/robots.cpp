@@ -13,6 +13,7 @@
 #include "controller/composite_hal.hpp"
 #include "sim_hal/sim_hal.hpp"
 #include "simulate/sabotage.hpp"
+#include "simulate/twins.hpp"
 
 namespace mayfly::simulate {
 namespace {
@@ -187,6 +188,7 @@ Robots make_robots(const Scenario& scenario, const std::vector<glm::vec3>& place
   if (clock.is_virtual()) {
     robots.truth = std::make_unique<SimTruth>(std::move(sims));
   }
+  add_twins(scenario, robots);
   return robots;
 }
 

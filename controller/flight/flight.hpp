@@ -11,6 +11,7 @@
 #include "controller/flight/observer.hpp"
 #include "controller/flight/summary.hpp"
 #include "controller/flight/world.hpp"
+#include "controller/guard/exchange.hpp"
 #include "controller/guard/guard_port.hpp"
 #include "controller/scenario/scenario.hpp"
 #include "core/clock.hpp"
@@ -48,6 +49,8 @@ struct FlightParts {
   FlightGauge* gauge = nullptr;
   // Where the guard is somewhere else (another process): then `hal` is not touched, but for its name.
   GuardPort* guard = nullptr;
+  // Takes robots of `hal` out of the run and puts them back; null where nobody does.
+  Exchange* exchange = nullptr;
   // Called when all is over, where the guard's black box has kept something (docs/explanation/guard.md).
   std::function<void(const BlackBoxTape&)> keep_tape{};
 };

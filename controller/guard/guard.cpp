@@ -51,6 +51,7 @@ Orders::Config orders_config(const GuardConfig& config) {
   Orders::Config orders;
   orders.robots = robots_of(config.governor);
   orders.descent = config.descent;
+  orders.homing = config.homing;
   for (const GovernorGroup& group : config.governor.groups) {
     orders.floor.insert(
         orders.floor.end(), group.count,
@@ -151,6 +152,7 @@ Guard::Guard(GuardConfig config, Hal& hal, Estimator estimator, Governor governo
 
 void Guard::restart() noexcept {
   wish_.reset();
+  orders_.forget();
   monitor_.reset();
   sequence_ = 0;
   last_tick_ = Time::min();
@@ -160,6 +162,9 @@ void Guard::restart() noexcept {
 HalResult Guard::sense(Time now) noexcept {
   report_.missed_acts += has_sensed_ ? 1U : 0U;
   has_sensed_ = true;
+  if (config_.exchange != nullptr) {
+    config_.exchange->tick(now, *this);
+  }
   const HalResult result = hal_.read(now, estimator_.inbox());
   note_link(result);
   estimator_.update(now);
@@ -281,22 +286,28 @@ void Guard::govern(Time now) noexcept {
   const EstimateColumns e = estimator_.estimate();
   orders_.give({wish_, lives_, reactions_.severities(), symptoms_, present_, e});
   const GovernedColumns governed{kind_, vx_, vy_, vz_, governed_};
-  governor_.govern(now, {e.x, e.y, e.z, e.vx, e.vy, e.vz, e.known, orders_.authority(), e.fresh, e.anew}, orders_.desired(),
-                   governed);
+  governor_.govern(
+      now,
+      {e.x, e.y, e.z, e.vx, e.vy, e.vz, e.known, orders_.authority(), e.fresh, e.anew,
+       config_.exchange != nullptr ? config_.exchange->kept_clear() : std::span<const KeptClear>()},
+      orders_.desired(), governed);
   orders_.finish(governed);
 }
 
 HalResult Guard::write(Time now) noexcept {
   deadline_ = now + config_.command_life;
   ++sequence_;
-  const TickOutcome outcome{now,
-                            written(),
-                            estimator_.estimate(),
-                            lives_.states(),
-                            reactions_.severities(),
-                            orders_.ours(),
-                            governed_,
-                            acknowledged_};
+  TickOutcome outcome{now,
+                      written(),
+                      estimator_.estimate(),
+                      lives_.states(),
+                      reactions_.severities(),
+                      orders_.ours(),
+                      governed_,
+                      acknowledged_};
+  if (config_.tamper) {
+    config_.tamper({kind_, vx_, vy_, vz_, governed_}, outcome);
+  }
   monitor_.check(outcome);
   for (std::size_t i = 0; i < robots_ && !monitor_.held(); ++i) {
     kind_[i] = monitor_.may_send(i) ? kind_[i] : CommandKind::kHold;
@@ -334,6 +345,22 @@ void Guard::end_tick(Time now, const TickOutcome& outcome) noexcept {
 
 CommandColumns Guard::written() const noexcept {
   return {kind_, vx_, vy_, vz_, deadline_, sequence_};
+}
+
+bool Guard::request(RobotIndex robot, RobotEvent event) noexcept {
+  const bool accepted = lives_.request(robot, event);
+  if (accepted && event == RobotEvent::kReturn) {
+    orders_.send_home(robot);
+  }
+  return accepted;
+}
+
+bool Guard::lead(RobotIndex robot, glm::vec3 place) noexcept {
+  const bool goes = lives_.request(robot, RobotEvent::kReturn);
+  if (goes) {
+    orders_.send_to(robot, place);
+  }
+  return goes;
 }
 
 Severity Guard::acknowledge() noexcept {
