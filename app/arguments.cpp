@@ -57,14 +57,14 @@ void add_run(CLI::App& app, RunOptions& options, Raw& raw) {
   run.add_option("--duration", raw.duration, "Seconds to fly")->type_name("S");
   run.add_flag("--fast", options.fast,
                "On a virtual clock: as fast as the machine goes, the same bits every time");
-  const std::map<std::string, GuardChoice> guards{{"inline", GuardChoice::kInline},
-                                                  {"process", GuardChoice::kProcess}};
+  const std::map<std::string, GuardPlace> guards{{"inline", GuardPlace::kInline},
+                                                 {"process", GuardPlace::kProcess}};
   run.add_option("--guard", options.guard,
                  "Where the guard runs: inline, or process: one of its own, which brings the robots to rest "
-                 "whatever becomes of this one")
+                 "whatever becomes of this one; the scenario's control.guard unless given")
       ->transform(CLI::Transformer(guards).description(""))
       ->type_name("inline|process")
-      ->check(CLI::IsMember(std::vector{GuardChoice::kInline, GuardChoice::kProcess}, nullptr)
+      ->check(CLI::IsMember(std::vector{GuardPlace::kInline, GuardPlace::kProcess}, nullptr)
                   .description("")
                   .name("inline|process"));
   run.add_option("--guard-report", options.guard_report, "Write what the guard's process saw (JSON)")
@@ -96,6 +96,8 @@ void add_guard(CLI::App& app, GuardOptions& options, Raw& raw) {
       ->type_name("FD")
       ->required();
   guard.add_option("--guard-report", options.guard_report, "Write what was seen (JSON)")->type_name("FILE");
+  guard.add_option("--black-box", options.black_box, "Where to write what the black box has kept (CSV)")
+      ->type_name("FILE");
   add_sets(guard, raw);
   guard.add_flag("-v,--verbose", options.verbose, "Say more, on stderr");
   guard.footer(

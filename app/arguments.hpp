@@ -9,22 +9,20 @@
 #include <vector>
 
 #include "controller/scenario/override.hpp"
+#include "controller/scenario/scenario.hpp"
 #include "core/result.hpp"
 
 namespace mayfly::app {
 
 enum class EngineChoice { kNative, kOpenCl, kAuto };
 
-// Where the guard runs: in the planner's process, or in one of its own.
-enum class GuardChoice { kInline, kProcess };
-
 struct RunOptions {
   std::filesystem::path scenario;
   std::string hal;  // empty: the one that the scenario names
   EngineChoice engine = EngineChoice::kNative;
-  std::vector<Override> overrides;  // --seed and --duration are among them
-  std::vector<std::string> sets;    // the same as they were typed
-  GuardChoice guard = GuardChoice::kInline;
+  std::vector<Override> overrides;     // --seed and --duration are among them
+  std::vector<std::string> sets;       // the same as they were typed
+  std::optional<GuardPlace> guard;     // empty: as the scenario says
   std::filesystem::path guard_report;  // empty: not wanted
   bool fast = false;
   std::filesystem::path record, summary, plot;  // empty: not wanted
@@ -75,6 +73,7 @@ struct GuardOptions {
   int segment = -1;
   int planner = -1;
   std::filesystem::path guard_report;
+  std::filesystem::path black_box;
   bool verbose = false;
 };
 

@@ -14,6 +14,7 @@
 #include "bench/fields/measure.hpp"
 #include "bench/forces/measure.hpp"
 #include "bench/governor/measure.hpp"
+#include "bench/guard/measure.hpp"
 #include "bench/noise/report.hpp"
 #include "controller/scenario/suggest.hpp"
 #include "record/output_file.hpp"
@@ -114,6 +115,19 @@ BenchResult bench_governor(const BenchOptions& options, const Progress& progress
   return findings_of(*report, options);
 }
 
+BenchResult bench_guard(const BenchOptions& options, const Progress& progress) {
+  mayfly::bench::GuardPlan plan;
+  plan.most_agents = options.agents > 0 ? options.agents : plan.most_agents;
+  plan.ticks =
+      options.duration_s > 0.0 ? std::max(1, static_cast<int>(100.0 * options.duration_s)) : plan.ticks;
+  plan.progress = progress;
+  const auto report = mayfly::bench::measure_guard(plan);
+  if (!report) {
+    return tl::unexpected(std::vector{report.error()});
+  }
+  return findings_of(*report, options);
+}
+
 struct Benchmark {
   std::string name;
   std::string_view does;
@@ -126,6 +140,7 @@ const std::array kBenchmarks{
               bench_fields},
     Benchmark{"forces", "The force core: forces, collision avoidance, neighbours (BSwarm15)", bench_forces},
     Benchmark{"governor", "The governor under attack, what it costs in progress and in time", bench_governor},
+    Benchmark{"guard", "What a tick of the guard costs, by its parts", bench_guard},
     Benchmark{"noise", "Perlin, random and curl noise in three models (Wang14, section 7.1)", bench_noise}};
 
 int list_benchmarks() {

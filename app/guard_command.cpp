@@ -10,6 +10,7 @@
 #include <thread>
 #include <utility>
 
+#include "app/black_box_file.hpp"
 #include "app/exit_code.hpp"
 #include "app/link_report.hpp"
 #include "app/log.hpp"
@@ -121,14 +122,25 @@ bool wait_for_take_off(const link::GuardEnd& end, const link::ProcessWatch& plan
   return end.want() == link::Want::kFly;
 }
 
-Result<link::LinkReport> fly(const Loaded& loaded, link::GuardEnd& end, Hal& robots, Clock& clock,
+// After the flight, when there is time for files.
+void keep_tape(const GuardOptions& options, const Hal& robots, Guard& guard) {
+  const BlackBoxTape* tape = guard.black_box().sealed();
+  if (tape != nullptr && !options.black_box.empty()) {
+    write_black_box(options.black_box, robots.robots(), *tape);
+  }
+}
+
+Result<link::LinkReport> fly(const GuardOptions& options, const Loaded& loaded, link::GuardEnd& end,
+                             const simulate::Robots& simulated, Clock& clock,
                              const link::ProcessWatch& planner) {
-  if (auto configured = robots.configure(); !configured) {
+  if (auto configured = simulated.hal->configure(); !configured) {
     return fail(std::move(configured.error()));
   }
   Motion motion(loaded.scenario);
   GuardConfig config = guard_config(loaded.scenario, *loaded.world, motion, clock);
   config.hooks.owns_commands = [&end] { return end.has_one_owner(); };
+  config.exchange = simulated.exchange.get();
+  Hal& robots = *simulated.hal;
   auto guard = Guard::create(std::move(config), robots);
   if (!guard) {
     return fail(std::move(guard.error()));
@@ -176,6 +188,7 @@ Result<link::LinkReport> fly(const Loaded& loaded, link::GuardEnd& end, Hal& rob
   if (!flown) {
     return fail(flown.error());
   }
+  keep_tape(options, robots, **guard);
   link::LinkReport report = loop.report();
   report.witness = executor.witness().oversleep();
   return report;
@@ -220,7 +233,7 @@ int guard(const GuardOptions& options) {
   }
   const simulate::Robots robots =
       simulate::make_robots(scenario, (*loaded)->places, clock, sim_hal::Backend::kNative);
-  const auto flown = fly(**loaded, *end, *robots.hal, clock, *planner);
+  const auto flown = fly(options, **loaded, *end, robots, clock, *planner);
   if (!flown) {
     return refuse(flown.error());
   }

@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "app/black_box_file.hpp"
 #include "simulate/robots.hpp"
 
 namespace mayfly::app {
@@ -21,7 +22,8 @@ constexpr Time kLook = std::chrono::milliseconds(50);
 constexpr Time kMostGoodbye = std::chrono::seconds(5);
 
 // What the guard needs of the command line to load the same as we did.
-std::vector<std::string> guard_arguments(const RunOptions& options, int segment, int planner) {
+std::vector<std::string> guard_arguments(const RunOptions& options, const std::string& scenario, int segment,
+                                         int planner) {
   std::vector<std::string> words{"mayfly",
                                  "guard",
                                  options.scenario.string(),
@@ -38,6 +40,7 @@ std::vector<std::string> guard_arguments(const RunOptions& options, int segment,
   if (!options.guard_report.empty()) {
     words.insert(words.end(), {"--guard-report", options.guard_report.string()});
   }
+  words.insert(words.end(), {"--black-box", black_box_file(options.record, scenario).string()});
   if (options.verbose) {
     words.emplace_back("--verbose");
   }
@@ -96,7 +99,7 @@ Result<std::unique_ptr<GuardProcess>> GuardProcess::start(const RunOptions& opti
   }
   const Inherited shared(end->segment().descriptor());
   const Inherited planner(self->descriptor());
-  auto process = spawn(guard_arguments(options, shared.get(), planner.get()));
+  auto process = spawn(guard_arguments(options, scenario.name, shared.get(), planner.get()));
   if (!process) {
     return fail(std::move(process.error()));
   }

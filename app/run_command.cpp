@@ -4,9 +4,8 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <filesystem>
-#include <system_error>
 
+#include "app/black_box_file.hpp"
 #include "app/exit_code.hpp"
 #include "app/flight_line.hpp"
 #include "app/guard_process.hpp"
@@ -18,8 +17,6 @@
 #include "app/wiring.hpp"
 #include "controller/flight/prepare.hpp"
 #include "controller/scenario/load.hpp"
-#include "record/black_box_csv.hpp"
-#include "record/output_file.hpp"
 #include "simulate/robots.hpp"
 #include "simulate/sabotage.hpp"
 
@@ -63,6 +60,10 @@ int exit_code_of(const Summary& summary, int signal_number) {
   return held ? kSuccess : kExpectationBroken;
 }
 
+GuardPlace guard_of(const RunOptions& options, const Scenario& scenario) {
+  return options.guard.value_or(scenario.control.guard);
+}
+
 // The robots, in this process or behind a guard's.
 struct OwnRobots {
   simulate::Robots simulated;
@@ -72,7 +73,7 @@ struct OwnRobots {
 Result<OwnRobots> own_robots(const RunOptions& options, const Scenario& scenario, const Prepared& ready,
                              Clock& clock, const StopRequest& stop) {
   OwnRobots robots;
-  if (options.guard == GuardChoice::kInline) {
+  if (guard_of(options, scenario) == GuardPlace::kInline) {
     robots.simulated = simulate::make_robots(scenario, ready.places, clock);
     return robots;
   }
@@ -82,32 +83,6 @@ Result<OwnRobots> own_robots(const RunOptions& options, const Scenario& scenario
   }
   robots.guard = std::move(*guard);
   return robots;
-}
-
-// Beside the recording, else below out/: something went wrong, and nobody had asked for a file.
-std::filesystem::path tape_path(const RunOptions& options, const Scenario& scenario) {
-  std::filesystem::path path = options.record;
-  if (path.empty()) {
-    path = std::filesystem::path("out") / scenario.name;
-  }
-  path.replace_extension(".blackbox.csv");
-  return path;
-}
-
-void keep_tape(const RunOptions& options, const Scenario& scenario, const Hal& robots,
-               const BlackBoxTape& tape) {
-  const std::filesystem::path path = tape_path(options, scenario);
-  std::vector<std::string> names;
-  for (const RobotInfo& robot : robots.robots()) {
-    names.push_back(robot.name);
-  }
-  std::error_code ignored;  // where there is no folder, writing says so
-  std::filesystem::create_directories(path.parent_path(), ignored);
-  if (auto written = record::write_file(path, record::black_box_csv(tape, names)); !written) {
-    print_errors(std::span(&written.error(), 1));
-  } else {
-    log_warning(fmt::format("the guard's last seconds before it had to act are in '{}'", path.string()));
-  }
 }
 
 // From here on everything is ready, and Ctrl-C stops the swarm instead of the program.
@@ -147,9 +122,13 @@ int fly_and_tell(const RunOptions& options, const Scenario& scenario, const Prep
         .gauge = &gauge,
         .guard = robots->guard ? &robots->guard->port() : nullptr,
         .between = [&](GuardPort& guard) { return sabotage.before(guard); },
+        .exchange = robots->simulated.exchange.get(),
         // Another process keeps its own.
         .keep_tape =
-            [&](const BlackBoxTape& tape) { keep_tape(options, scenario, *robots->simulated.hal, tape); },
+            [&](const BlackBoxTape& tape) {
+              write_black_box(black_box_file(options.record, scenario.name), robots->simulated.hal->robots(),
+                              tape);
+            },
     });
   }();
   const std::string guard_failed = robots->guard ? robots->guard->how_it_failed() : "";
@@ -174,14 +153,16 @@ int fly_and_tell(const RunOptions& options, const Scenario& scenario, const Prep
 
 int run(const RunOptions& options) {
   set_up_log(options.verbose);
-  if (options.fast && options.guard == GuardChoice::kProcess) {
-    return refuse(Error{.message = "--guard process flies in real time: two processes share no virtual clock",
-                        .found = "--fast",
-                        .wanted = "one of the two"});
-  }
   const auto scenario = load(options);
   if (!scenario) {
     return refuse(scenario.error());
+  }
+  if (options.fast && guard_of(options, *scenario) == GuardPlace::kProcess) {
+    return refuse(Error{
+        .message = "a guard in a process of its own flies in real time: two processes share no virtual clock",
+        .found = options.guard ? "--fast with --guard process" : "--fast with 'control.guard: process'",
+        .wanted = "one of the two",
+        .suggestion = options.guard ? "" : "--guard inline"});
   }
   ProgressLine line(!options.quiet);
   const auto warn = [&line](const Error& warning) {

@@ -31,7 +31,8 @@ tl::expected<Summary, std::vector<Error>> fly_simulated(const Scenario& scenario
                     .clock = sabotage.clock(),
                     .observers = options.observers,
                     .stop = sabotage.stop(),
-                    .between = [&](GuardPort& guard) { return sabotage.before(guard); }});
+                    .between = [&](GuardPort& guard) { return sabotage.before(guard); },
+                    .exchange = robots.exchange.get()});
   if (!flown) {
     return tl::unexpected(std::vector<Error>{std::move(flown.error())});
   }

@@ -14,6 +14,7 @@
 #include "sim_hal/sim_hal.hpp"
 #include "simulate/breach_watch.hpp"
 #include "simulate/sabotage.hpp"
+#include "simulate/twins.hpp"
 
 namespace mayfly::simulate {
 namespace {
@@ -223,6 +224,7 @@ Robots make_robots(const Scenario& scenario, const std::vector<glm::vec3>& place
   if (clock.is_virtual()) {
     robots.truth = std::make_unique<SimTruth>(std::move(sims), std::move(own_watch));
   }
+  add_twins(scenario, robots);
   return robots;
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "controller/flight/flight.hpp"
+#include "controller/guard/exchange.hpp"
 #include "controller/scenario/scenario.hpp"
 #include "core/clock.hpp"
 #include "core/hal.hpp"
@@ -15,6 +16,7 @@ namespace mayfly::simulate {
 
 struct Robots {
   std::unique_ptr<Hal> hal;
+  std::unique_ptr<Exchange> exchange;  // none where nobody is taken out; after `hal`, which it needs
   std::unique_ptr<GroundTruth> truth;  // none on the real clock: then the simulation has a life of its own
 };
 

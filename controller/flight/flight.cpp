@@ -59,7 +59,9 @@ Result<Summary> fly(const FlightParts& parts) {
   Motion motion(parts.scenario);
   std::optional<GuardedHal> own_guard;
   if (parts.guard == nullptr) {
-    own_guard.emplace(guard_config(parts.scenario, parts.world, motion, parts.clock), parts.hal);
+    GuardConfig config = guard_config(parts.scenario, parts.world, motion, parts.clock);
+    config.exchange = parts.exchange;
+    own_guard.emplace(std::move(config), parts.hal);
   }
   GuardPort& nearest = parts.guard == nullptr ? *own_guard : *parts.guard;
   const std::unique_ptr<GuardPort> between = parts.between ? parts.between(nearest) : nullptr;

@@ -13,6 +13,7 @@
 #include "controller/flight/observer.hpp"
 #include "controller/flight/summary.hpp"
 #include "controller/flight/world.hpp"
+#include "controller/guard/exchange.hpp"
 #include "controller/guard/guard_port.hpp"
 #include "controller/scenario/scenario.hpp"
 #include "core/clock.hpp"
@@ -55,6 +56,8 @@ struct FlightParts {
   // Puts something between the planner and its guard, for the whole flight; may answer null. Simulated faults
   // of planners do.
   std::function<std::unique_ptr<GuardPort>(GuardPort&)> between{};
+  // Takes robots of `hal` out of the run and puts them back; null where nobody does.
+  Exchange* exchange = nullptr;
   // Called when all is over, where the guard's black box has kept something (docs/explanation/guard.md).
   std::function<void(const BlackBoxTape&)> keep_tape{};
 };

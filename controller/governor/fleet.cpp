@@ -269,6 +269,22 @@ bool Fleet::may_descend(std::size_t i, Nearness nearness) noexcept {
   return robot.descends;
 }
 
+bool Fleet::keeps_clear(std::size_t i, const Hull& hull, const Claim& claim, double speed,
+                        const KeptClear& place) const noexcept {
+  if (place.robot == i || place.robot >= robots_.size()) {
+    return true;
+  }
+  const FleetRobot& robot = robots_[i];
+  const GroupModel& whose = group_of(place.robot);
+  const Claim stands{.present = true,
+                     .capsule = {glm::dvec3(place.from), glm::dvec3(place.to), 0.0},
+                     .kept = whose.kept,
+                     .scale = 1.0 / static_cast<double>(whose.spec.limits.downwash)};
+  const std::uint32_t only = 0;
+  const Wish wish{claim, hull, robot.braking, robot.reference.lead(), group_of(i).rest_time(speed)};
+  return nearness(wish, claims_[i], {&stands, 1}, {&only, 1}) != Nearness::kTooNear;
+}
+
 void Fleet::shift(std::size_t i, glm::dvec3 way) noexcept {
   FleetRobot& robot = robots_[i];
   robot.reference.shift(way);

@@ -59,6 +59,9 @@ class Fleet {
   Nearness nearness_of(std::size_t i, const Hull& hull, const Claim& claim, double speed) noexcept;
   // Of one that is to land: whether it may be told so. From then on it goes its own way down.
   bool may_descend(std::size_t i, Nearness nearness) noexcept;
+  // Whether a wish keeps clear of where another robot stands, or goes no nearer than braking would.
+  bool keeps_clear(std::size_t i, const Hull& hull, const Claim& claim, double speed,
+                   const KeptClear& place) const noexcept;
   // Moves the reference; what braking needs moves with it.
   void shift(std::size_t i, glm::dvec3 way) noexcept;
 

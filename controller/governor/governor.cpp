@@ -47,6 +47,7 @@ void Governor::govern(Time now, const GovernorState& state, const DesiredColumns
     fleet_.forget();
     return;
   }
+  kept_clear_ = state.kept_clear;
   fleet_.settle(state, ticks);
   // Whoever comes first has the most room, so the first is another each tick.
   const std::size_t first = agents() == 0 ? 0 : counters_.ticks % agents();
@@ -191,7 +192,7 @@ bool Governor::admissible(std::size_t i, const Trial& trial, Decision& decision,
   }
   cause = GovernorReason::kNeighbour;
   const Nearness nearness = fleet_.nearness_of(i, trial.hull, trial.claim, trial.speed);
-  if (nearness == Nearness::kTooNear) {
+  if (nearness == Nearness::kTooNear || !clear_of_kept(i, trial)) {
     return false;
   }
   cause = GovernorReason::kObstacle;
@@ -207,6 +208,12 @@ bool Governor::clear_of_all(std::size_t i, const Trial& trial) const noexcept {
   return config_.obstacles.empty() || clear_of_obstacles(trial.claim.capsule, config_.obstacles, clearance) ||
          leaves_obstacle(trial.hull, fleet_.robot(i).reference.lead(), trial.claim.capsule.radius,
                          config_.obstacles, clearance);
+}
+
+bool Governor::clear_of_kept(std::size_t i, const Trial& trial) const noexcept {
+  return std::all_of(kept_clear_.begin(), kept_clear_.end(), [&](const KeptClear& place) {
+    return fleet_.keeps_clear(i, trial.hull, trial.claim, trial.speed, place);
+  });
 }
 
 // Moves a reference to where half the tube reaches the robot: no farther in a tick than it might have flown,

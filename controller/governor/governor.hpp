@@ -71,6 +71,7 @@ class Governor {
   bool reserve_free(std::size_t i, glm::dvec3 wanted, Decision& decision) noexcept;
   bool admissible(std::size_t i, const Trial& trial, Decision& decision, GovernorReason& cause) noexcept;
   bool clear_of_all(std::size_t i, const Trial& trial) const noexcept;
+  bool clear_of_kept(std::size_t i, const Trial& trial) const noexcept;
 
   void nudge(std::size_t i) noexcept;
   Symptoms symptoms_of(std::size_t i, const Decision& decision) const noexcept;
@@ -84,6 +85,7 @@ class Governor {
   Fleet fleet_;
   GovernorCounters counters_;
   Time last_{Time::min()};
+  std::span<const KeptClear> kept_clear_;  // of this call
 };
 
 }  // namespace mayfly

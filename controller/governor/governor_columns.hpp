@@ -33,6 +33,13 @@ constexpr bool is_flown(Authority authority) {
          authority == Authority::kLanding;
 }
 
+// Where a robot stands that was taken out of the run, and where it comes to rest: all keep clear of it but
+// the one that flies in its stead. m, world frame.
+struct KeptClear {
+  glm::vec3 from{0.0F}, to{0.0F};
+  std::uint32_t robot = 0;  // whose it is
+};
+
 struct GovernorState {
   std::span<const float> x, y, z;
   std::span<const float> vx, vy, vz;       // estimated
@@ -44,6 +51,7 @@ struct GovernorState {
   // 1: from now on it is measured elsewhere, because of poses that agree with each other, and not with those
   // before. Empty: nobody is.
   std::span<const std::uint8_t> anew{};
+  std::span<const KeptClear> kept_clear{};  // as long as the call
 };
 
 inline bool columns_fit(std::size_t agents, const GovernorState& state) noexcept {

@@ -59,7 +59,12 @@ class Guard {
   // column is read in each act().
   void set_present(std::span<const std::uint8_t> present) noexcept { present_ = present; }
   // An operator's event: arm, take off, land, return, clear. False: the table of lives refuses it.
-  bool request(RobotIndex robot, RobotEvent event) noexcept { return lives_.request(robot, event); }
+  // One that returns goes straight back, as far as the governor lets it, to where it was when its motors
+  // might turn first, and lands there.
+  bool request(RobotIndex robot, RobotEvent event) noexcept;
+  // Returns a robot to another place (m), where it holds; kResume gives it back to the planner. False: as
+  // request().
+  bool lead(RobotIndex robot, glm::vec3 place) noexcept;
   // An operator's: clears what is latched where its cause is gone; returns what stays.
   Severity acknowledge() noexcept;
 

@@ -15,6 +15,11 @@ const glm::vec3 kNowhere(std::numeric_limits<float>::quiet_NaN());
 constexpr float kStayingRate = 2.0F;   // 1/s, of the way back to its place
 constexpr float kFarthestBack = 0.3F;  // m: from farther away it does not go back, but stays there
 
+// Of one that returns: the share of its way that it goes in a second, and where and how slow it has arrived.
+constexpr float kHoming = 1.5F;    // 1/s
+constexpr float kArrived = 0.02F;  // m
+constexpr float kSlow = 0.06F;     // m/s
+
 }  // namespace
 
 Orders::Orders(Config config)
@@ -25,10 +30,37 @@ Orders::Orders(Config config)
       vy_(config_.robots),
       vz_(config_.robots),
       ours_(config_.robots, 1),
-      places_(config_.robots, kNowhere) {}
+      places_(config_.robots, kNowhere),
+      home_(config_.robots),
+      destination_(config_.robots),
+      lands_there_(config_.robots, 1) {}
+
+void Orders::forget() noexcept {
+  std::fill(home_.begin(), home_.end(), Place{});
+  std::fill(destination_.begin(), destination_.end(), Place{});
+}
+
+void Orders::send_home(std::size_t robot) noexcept {
+  destination_[robot] = home_[robot];
+  lands_there_[robot] = 1;
+}
+
+void Orders::send_to(std::size_t robot, glm::vec3 place) noexcept {
+  destination_[robot] = {place, true};
+  lands_there_[robot] = 0;
+}
+
+void Orders::note_home(const Tick& tick, std::size_t robot) noexcept {
+  const EstimateColumns& e = tick.estimate;
+  const bool may_fly = is_armed(tick.lives.state(static_cast<RobotIndex>(robot)));
+  if (!home_[robot].known && may_fly && e.known[robot] != 0) {
+    home_[robot] = {{e.x[robot], e.y[robot], e.z[robot]}, true};
+  }
+}
 
 void Orders::give(const Tick& tick) noexcept {
   for (std::size_t robot = 0; robot < authority_.size(); ++robot) {
+    note_home(tick, robot);
     order(tick, robot);
   }
 }
@@ -96,6 +128,10 @@ void Orders::obey(const Tick& tick, std::size_t robot) noexcept {
   places_[robot] = kNowhere;
   switch (tick.lives.admit(static_cast<RobotIndex>(robot), tick.wish.kind(robot))) {
     case CommandKind::kVelocity: {
+      if (tick.lives.state(static_cast<RobotIndex>(robot)) == RobotState::kReturning) {
+        go_back(tick, robot);
+        return;
+      }
       set(robot, Authority::kGoverned, Ending::kAsGoverned);
       const bool slow =
           tick.severities[robot] >= Severity::kClamp && tick.symptoms[robot].has(Symptom::kLinkDegraded);
@@ -133,6 +169,31 @@ void Orders::land(const Tick& tick, std::size_t robot) noexcept {
     const glm::vec3 stay = against_drift(tick, robot);
     wish_of(robot, stay.x, stay.y, -config_.descent);
   }
+}
+
+// Straight, as far as the governor lets it, ever slower towards the end. Whoever is in its way is kept away
+// from, and it waits.
+void Orders::go_back(const Tick& tick, std::size_t robot) noexcept {
+  const EstimateColumns& e = tick.estimate;
+  const Place& there = destination_[robot];
+  if (e.known[robot] == 0 || !there.known) {
+    set(robot, Authority::kBraking, Ending::kHold);
+    return;
+  }
+  const glm::vec3 way = there.at - glm::vec3(e.x[robot], e.y[robot], e.z[robot]);
+  const float distance = glm::length(way);
+  const float speed = glm::length(glm::vec3(e.vx[robot], e.vy[robot], e.vz[robot]));
+  if (distance < kArrived && speed < kSlow) {
+    tick.lives.request(static_cast<RobotIndex>(robot), RobotEvent::kArrived);
+    if (lands_there_[robot] != 0) {
+      tick.lives.request(static_cast<RobotIndex>(robot), RobotEvent::kLand);
+    }
+    set(robot, Authority::kBraking, Ending::kHold);
+    return;
+  }
+  set(robot, Authority::kGoverned, Ending::kAsGoverned);
+  const glm::vec3 velocity = way * std::min(kHoming, config_.homing / distance);
+  wish_of(robot, velocity.x, velocity.y, velocity.z);
 }
 
 void Orders::finish(const GovernedColumns& governed) const noexcept {

@@ -28,6 +28,7 @@ class Orders {
   struct Config {
     std::size_t robots = 0;
     float descent = 0.0F;  // m/s; 0: they land where they are
+    float homing = 0.0F;   // m/s, of one that returns
     std::vector<float>
         floor;  // m, one a robot: below this height it has come down as far as it can be brought
   };
@@ -41,6 +42,13 @@ class Orders {
   };
 
   explicit Orders(Config config);
+
+  // Nobody has a place to return to.
+  void forget() noexcept;
+  // Where a robot that returns goes: to where it was when its motors might turn first, and there it lands; or
+  // to a place (m), and there it holds.
+  void send_home(std::size_t robot) noexcept;
+  void send_to(std::size_t robot, glm::vec3 place) noexcept;
 
   void give(const Tick& tick) noexcept;
   // After governing: makes of what was governed what is sent.
@@ -57,6 +65,8 @@ class Orders {
   void land(const Tick& tick, std::size_t robot) noexcept;
   void hold(const Tick& tick, std::size_t robot) noexcept;
   glm::vec3 against_drift(const Tick& tick, std::size_t robot) noexcept;
+  void note_home(const Tick& tick, std::size_t robot) noexcept;
+  void go_back(const Tick& tick, std::size_t robot) noexcept;
   void set(std::size_t robot, Authority authority, Ending ending) noexcept;
   void wish_of(std::size_t robot, float x, float y, float z) noexcept;
 
@@ -66,6 +76,12 @@ class Orders {
   std::vector<float> vx_, vy_, vz_;
   std::vector<std::uint8_t> ours_;
   std::vector<glm::vec3> places_;  // m, where one that drifts is to stay; NaN of the others
+  struct Place {
+    glm::vec3 at{0.0F};
+    bool known = false;
+  };
+  std::vector<Place> home_, destination_;
+  std::vector<std::uint8_t> lands_there_;
 };
 
 }  // namespace mayfly

@@ -121,8 +121,9 @@ struct Orders {
   bool velocity, hold, take_off, land, stop;  // what a planner may wish
 };
 
-// One row a state, in the order of RobotState. Neither a take-off nor a landing is held up by a planner that
-// has nothing better to say; after a flight motors stay off.
+// One row a state, in the order of RobotState. Neither a take-off, nor a way back, nor a landing is held up
+// by a planner that has nothing better to say; the velocity back is the guard's own. After a flight motors
+// stay off.
 inline constexpr std::array<Orders, kRobotStates> kOrders = {{
     {C::kNone, C::kHold, false, true, false, false, true},       // kUnknown
     {C::kNone, C::kHold, false, true, false, false, true},       // kConnected
@@ -131,7 +132,7 @@ inline constexpr std::array<Orders, kRobotStates> kOrders = {{
     {C::kTakeOff, C::kTakeOff, false, false, true, true, true},  // kTakingOff
     {C::kHold, C::kHold, true, true, false, true, true},         // kFlying
     {C::kHold, C::kHold, false, true, false, true, true},        // kHolding
-    {C::kHold, C::kHold, false, true, false, true, true},        // kReturning
+    {C::kHold, C::kVelocity, false, false, false, true, true},   // kReturning
     {C::kLand, C::kLand, false, false, false, true, true},       // kLanding
     {C::kStop, C::kStop, false, false, false, false, true},      // kOff
     {C::kStop, C::kHold, false, true, false, true, true},        // kFault

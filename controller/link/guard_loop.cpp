@@ -9,6 +9,7 @@ namespace mayfly::link {
 namespace {
 
 constexpr float kStandingStill = 0.05F;  // m/s
+constexpr float kSinking = 0.1F;         // m/s
 
 template <std::size_t N>
 void copy_text(std::string_view from, std::array<char, N>& to) noexcept {
@@ -163,6 +164,7 @@ FlightEnd::Seen GuardLoop::seen() const noexcept {
   for (std::size_t robot = 0; robot < states.size(); ++robot) {
     const bool flies = is_armed(states[robot]) && states[robot] != RobotState::kArmed;
     seen.airborne = seen.airborne || (flies && sent.kind[robot] != CommandKind::kStop);
+    seen.sinking = seen.sinking || (flies && at.known[robot] != 0 && at.vz[robot] < -kSinking);
   }
   return seen;
 }

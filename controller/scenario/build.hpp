@@ -84,6 +84,13 @@ std::vector<Expectation> build_expectations(const Values& top, const Scenario& s
 // Needs the swarms, the HALs, the seed and the duration of `scenario`.
 std::vector<FaultSpec> build_faults(const Values& top, const Scenario& scenario, Findings& findings);
 
+// Of "flies", "flies_3" or "all"; nothing, and an error, where there is no such robot.
+std::optional<StruckAgents> find_robots(const Values::Name& name, const Scenario& scenario,
+                                        Findings& findings);
+
+// Needs the swarms and the duration of `scenario`.
+std::vector<TwinSpec> build_twins(const Values& top, const Scenario& scenario, Findings& findings);
+
 std::vector<PlannerSpec> build_planners(const Values& top, Findings& findings);
 
 }  // namespace mayfly

@@ -54,39 +54,6 @@ bool has_direction(FaultKind kind) {
          kind == FaultKind::kStartTooNear || kind == FaultKind::kStartOutside;
 }
 
-// "flies" or "flies_3"; nothing, and an error, where there is no such robot.
-std::optional<StruckAgents> find_robots(const Values::Name& name, const Scenario& scenario,
-                                        Findings& findings) {
-  if (name.text == "all") {
-    return StruckAgents{0, agents_of(scenario)};
-  }
-  std::vector<std::string> names{"all"};
-  std::size_t first = 0;
-  for (const SwarmSpec& swarm : scenario.swarms) {
-    const auto count = static_cast<std::size_t>(swarm.count);
-    if (name.text == swarm.name) {
-      return StruckAgents{first, count};
-    }
-    const std::string robot = swarm.name + "_";
-    const auto number =
-        name.text.starts_with(robot) ? read_integer(name.text.substr(robot.size())) : std::nullopt;
-    if (number && *number >= 0 && *number < swarm.count) {
-      return StruckAgents{first + static_cast<std::size_t>(*number), 1};
-    }
-    if (number) {
-      findings.error(name.mark, fmt::format("there is no robot '{}'", name.text), "",
-                     fmt::format("one of {}0 to {}{}", robot, robot, swarm.count - 1));
-      return std::nullopt;
-    }
-    names.push_back(swarm.name);
-    names.push_back(robot + "0");
-    first += count;
-  }
-  findings.error(name.mark, fmt::format("there is no swarm or robot '{}'", name.text), "",
-                 "one of " + list_names(names), nearest_name(name.text, names));
-  return std::nullopt;
-}
-
 void build_robots(FaultSpec& fault, const FaultRow& row, const Values& values, const Scenario& scenario,
                   Findings& findings) {
   const std::vector<Values::Name> names = values.names("robots");
@@ -219,6 +186,38 @@ void add_random(std::vector<FaultSpec>& faults, const Values& values, const Scen
 }
 
 }  // namespace
+
+std::optional<StruckAgents> find_robots(const Values::Name& name, const Scenario& scenario,
+                                        Findings& findings) {
+  if (name.text == "all") {
+    return StruckAgents{0, agents_of(scenario)};
+  }
+  std::vector<std::string> names{"all"};
+  std::size_t first = 0;
+  for (const SwarmSpec& swarm : scenario.swarms) {
+    const auto count = static_cast<std::size_t>(swarm.count);
+    if (name.text == swarm.name) {
+      return StruckAgents{first, count};
+    }
+    const std::string robot = swarm.name + "_";
+    const auto number =
+        name.text.starts_with(robot) ? read_integer(name.text.substr(robot.size())) : std::nullopt;
+    if (number && *number >= 0 && *number < swarm.count) {
+      return StruckAgents{first + static_cast<std::size_t>(*number), 1};
+    }
+    if (number) {
+      findings.error(name.mark, fmt::format("there is no robot '{}'", name.text), "",
+                     fmt::format("one of {}0 to {}{}", robot, robot, swarm.count - 1));
+      return std::nullopt;
+    }
+    names.push_back(swarm.name);
+    names.push_back(robot + "0");
+    first += count;
+  }
+  findings.error(name.mark, fmt::format("there is no swarm or robot '{}'", name.text), "",
+                 "one of " + list_names(names), nearest_name(name.text, names));
+  return std::nullopt;
+}
 
 std::vector<FaultSpec> build_faults(const Values& top, const Scenario& scenario, Findings& findings) {
   std::vector<FaultSpec> faults;

@@ -29,6 +29,8 @@ ScenarioResult build_scenario(const YamlNode& root, const std::filesystem::path&
   scenario.control.rate = top.map("control").number_f("rate");
   scenario.control.realtime =
       top.map("control").choice("realtime") == 0 ? RealtimePolicy::kIgnore : RealtimePolicy::kEnforce;
+  scenario.control.guard =
+      top.map("control").choice("guard") == 0 ? GuardPlace::kInline : GuardPlace::kProcess;
   scenario.record.rate = top.map("record").number_f("rate");
   scenario.world = build_world(top.map("world"), roots, findings);
   scenario.hals = build_hals(top, scenario.control.rate, findings);
@@ -43,6 +45,7 @@ ScenarioResult build_scenario(const YamlNode& root, const std::filesystem::path&
     check_memory(top.map("world"), scenario, available_memory(), findings);
   }
   scenario.faults = build_faults(top, scenario, findings);
+  scenario.twins = build_twins(top, scenario, findings);
   scenario.expect = build_expectations(top, scenario, findings);
   scenario.planners = build_planners(top, findings);
   scenario.warnings = std::move(findings.warnings);

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <glm/vec3.hpp>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -162,16 +163,27 @@ struct HalSpec {
   SimHalSpec sim;  // kind: sim is the only one so far
 };
 
+// Where the guard runs: with its planner, or in a process of its own (on the real clock).
+enum class GuardPlace { kInline, kProcess };
+
 // On the real clock, where the system refuses priority or locked memory.
 enum class RealtimePolicy { kIgnore, kEnforce };
 
 struct ControlSpec {
   float rate = 100.0F;  // Hz
   RealtimePolicy realtime = RealtimePolicy::kIgnore;
+  GuardPlace guard = GuardPlace::kInline;
 };
 
 struct RecordSpec {
   float rate = 20.0F;  // Hz
+};
+
+// A robot that is taken out of the run: a simulated twin flies in its place, until it is put back.
+struct TwinSpec {
+  std::size_t agent = 0;                                   // in the scenario's order of agents
+  double from = 0.0;                                       // s
+  double until = std::numeric_limits<double>::infinity();  // s
 };
 
 // Of planners but `fields`. `pso` is read and kept, though nothing runs it yet (Scenario::warnings says so).
@@ -197,6 +209,7 @@ struct Scenario {
   RecordSpec record;
   std::vector<HalSpec> hals;
   std::vector<FaultSpec> faults;
+  std::vector<TwinSpec> twins;
   std::vector<Expectation> expect;
   std::vector<PlannerSpec> planners;
   std::vector<Error> warnings;  // what is odd but flies

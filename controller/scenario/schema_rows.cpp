@@ -86,6 +86,13 @@ void add_run_rows(Rows& rows) {
                   .text =
                       "On the real clock, where the system refuses priority or locked memory: fly without "
                       "and say so, or refuse to fly."});
+  rows.push_back({.path = "control.guard",
+                  .type = KeyType::kChoice,
+                  .fallback = "inline",
+                  .choices = {"inline", "process"},
+                  .text =
+                      "Where the guard runs: with the planner, or in a process of its own, which brings the "
+                      "robots to rest whatever becomes of the planner. `--guard` overrides it."});
   rows.push_back({.path = "record", .type = KeyType::kMap, .text = "The recording."});
   rows.push_back({.path = "record.rate",
                   .type = KeyType::kNumber,
@@ -191,6 +198,7 @@ std::vector<Key> schema_rows() {
   add_run_rows(rows);
   add_hal_rows(rows);
   add_fault_rows(rows);
+  add_twin_rows(rows);
   add_expect_rows(rows);
   return rows;
 }

@@ -18,6 +18,7 @@ void add_swarm_rows(std::vector<Key>& rows);
 void add_stimulus_rows(std::vector<Key>& rows);
 void add_expect_rows(std::vector<Key>& rows);
 void add_fault_rows(std::vector<Key>& rows);
+void add_twin_rows(std::vector<Key>& rows);
 // What moves the swarm whose rows are `at`, and who of it is there.
 void add_model_rows(std::vector<Key>& rows, const std::string& at);
 

@@ -65,6 +65,10 @@ TwinReport TwinHal::report(RobotIndex robot) const noexcept {
   return twins_ != nullptr ? twins_->report(robot) : TwinReport{};
 }
 
+void TwinHal::show_twins(const StateColumns& states) const noexcept {
+  twins_->show(twins_->now(), states);
+}
+
 RealPose TwinHal::real_pose(RobotIndex robot) const noexcept {
   return twins_->real_pose(robot);
 }

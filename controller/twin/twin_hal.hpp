@@ -75,7 +75,8 @@ class TwinHal final : public Hal {
   bool is_twin(RobotIndex robot) const noexcept;
   TwinReport report(RobotIndex robot) const noexcept;
 
-  // As of the last read; on the thread that reads.
+  // As of the last read; on the thread that reads. Puts the twins that fly in their robots' place.
+  void show_twins(const StateColumns& states) const noexcept;
   RealPose real_pose(RobotIndex robot) const noexcept;
 
   std::span<const RobotInfo> robots() const noexcept override { return real_->robots(); }

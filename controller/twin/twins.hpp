@@ -34,6 +34,7 @@ class TwinHal::Twins {
   void show(Time now, const StateColumns& states) const noexcept;
   // What the robots themselves are told.
   std::span<const CommandKind> park(std::span<const CommandKind> kinds) noexcept;
+  Time now() const noexcept { return at_; }
   RealPose real_pose(RobotIndex robot) const noexcept { return robots_[robot].real; }
 
  private:

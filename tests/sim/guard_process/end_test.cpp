@@ -95,14 +95,23 @@ TEST(End, APlannerWhoseGuardIsKilledSaysSoAndEnds) {
   ASSERT_TRUE(guard);
   flight.send_guard(SIGKILL);
   ASSERT_TRUE(guard->has_ended(std::chrono::seconds(60)));
-  const link::Word beat = flight.header().planner_beat.load();
   const Outcome ended = flight.wait();
   EXPECT_EQ(ended.exit_code, 3);
   EXPECT_THAT(ended.error, HasSubstr("the guard was killed by signal 9"));
   EXPECT_THAT(ended.out, ::testing::Not(HasSubstr("stopped by the user")));
-  EXPECT_THAT(flight.summary()["faults"].dump(), HasSubstr("left to their own watchdogs"));
-  // In ticks, not in time: each of the planner's has two beats.
-  EXPECT_LE(flight.header().planner_beat.load() - beat, 2U * 5U);
+  // In ticks, not in time: it ends in the one after that in which it has seen it. Ticks that a busy machine
+  // did not serve are in the planner's own account.
+  const nlohmann::json summary = flight.summary();
+  double seen = -1.0;
+  for (const auto& fault : summary["faults"]) {
+    const bool is_it =
+        fault["cause"].get<std::string>().find("left to their own watchdogs") != std::string::npos;
+    seen = is_it ? fault["time_s"].get<double>() : seen;
+  }
+  ASSERT_GE(seen, 0.0) << summary["faults"].dump();
+  const double period = 1.0 / 200.0;
+  const double served = summary["control"]["missed"].get<double>() + 3.0;
+  EXPECT_LE(summary["simulated_s"].get<double>() - seen, served * period);
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
-// The planner is killed, at any moment: every robot is told to stand still within 50 ms, plus what the
-// machine was late by.
+// The planner is killed or stopped, at any moment: every robot is told to stand still within 50 ms, plus what
+// the machine was late by.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -14,7 +14,8 @@ namespace {
 
 constexpr double kBound = 50e-3;  // s
 constexpr double kPeriod = 5e-3;  // s
-constexpr int kTrials = 200;
+constexpr int kKills = 200;
+constexpr int kPauses = 40;
 constexpr int kAtOnce = 4;  // flights
 
 struct Trial {
@@ -39,6 +40,7 @@ struct Stopped {
 Stopped outcome(Trial& trial) {
   const auto stop = trial.flight->wait_for_stop(trial.killed);
   trial.flight->send_guard(SIGKILL);
+  trial.flight->send_planner(SIGKILL);  // where it was only stopped
   EXPECT_EQ(trial.flight->wait().exit_code, 128 + SIGKILL);
   if (!stop) {
     ADD_FAILURE() << "the guard has ended before everybody stood still";
@@ -47,7 +49,7 @@ Stopped outcome(Trial& trial) {
   return {to_seconds(stop->still - trial.killed), to_seconds(stop->late)};
 }
 
-void print(std::vector<Stopped> all) {
+void print(const char* what, std::vector<Stopped> all) {
   const auto of = [&](auto value, double share) {
     std::vector<double> sorted;
     for (const Stopped& one : all) {
@@ -59,35 +61,45 @@ void print(std::vector<Stopped> all) {
   const auto after = [](const Stopped& one) { return one.after; };
   const auto late = [](const Stopped& one) { return one.late; };
   std::printf(
-      "still after the kill: p50 %.1f, p99 %.1f, max %.1f ms; the machine's lateness meanwhile: p50 "
+      "still after the %s: p50 %.1f, p99 %.1f, max %.1f ms; the machine's lateness meanwhile: p50 "
       "%.1f, p99 %.1f, max %.1f ms; %zu trials\n",
-      of(after, 0.5), of(after, 0.99), of(after, 1.0), of(late, 0.5), of(late, 0.99), of(late, 1.0),
+      what, of(after, 0.5), of(after, 0.99), of(after, 1.0), of(late, 0.5), of(late, 0.99), of(late, 1.0),
       all.size());
 }
 
-TEST(Kill, ThePlannerDiesAtAnyPhaseOfATickAndEveryRobotStandsStill) {
+// What `signal` does to the planner at so many phases of its tick.
+void ill_treat(int signal, int trials, const char* what) {
   std::mt19937 random(1);
   std::uniform_real_distribution<double> phases(0.0, kPeriod);
   std::vector<Stopped> all;
-  for (int done = 0; done < kTrials; done += kAtOnce) {
-    std::vector<Trial> trials(kAtOnce);
-    for (Trial& trial : trials) {
+  for (int done = 0; done < trials; done += kAtOnce) {
+    std::vector<Trial> batch(kAtOnce);
+    for (Trial& trial : batch) {
       trial.flight = std::make_unique<TwoProcesses>();
       trial.phase = phases(random);
     }
-    for (Trial& trial : trials) {
+    for (Trial& trial : batch) {
       // Long enough to be on their way.
       ASSERT_TRUE(trial.flight->fly() && trial.flight->wait_for_beats(40));
       wait_for(trial.phase);
       trial.killed = monotonic_now();
-      trial.flight->send_planner(SIGKILL);
+      trial.flight->send_planner(signal);
     }
-    for (Trial& trial : trials) {
+    for (Trial& trial : batch) {
       all.push_back(outcome(trial));
       EXPECT_LE(all.back().after, kBound + all.back().late) << "trial " << all.size();
     }
   }
-  print(all);
+  print(what, all);
+}
+
+TEST(Kill, ThePlannerDiesAtAnyPhaseOfATickAndEveryRobotStandsStill) {
+  ill_treat(SIGKILL, kKills, "kill");
+}
+
+// Nothing dies: it is the wish that runs out.
+TEST(Kill, ThePlannerStopsAtAnyPhaseOfATickAndEveryRobotStandsStill) {
+  ill_treat(SIGSTOP, kPauses, "stop");
 }
 
 }  // namespace

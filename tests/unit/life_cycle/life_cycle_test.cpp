@@ -286,7 +286,8 @@ TEST(Robots, LiveByTheTableWhateverHappens) {
       } else {
         const auto wish = static_cast<CommandKind>(pick(6));
         const CommandKind sent = together.admit(robot, wish);
-        ASSERT_TRUE(sent != CommandKind::kVelocity || before == RobotState::kFlying);
+        ASSERT_TRUE(sent != CommandKind::kVelocity || before == RobotState::kFlying ||
+                    before == RobotState::kReturning);
         ASSERT_TRUE(sent != CommandKind::kTakeOff || before == RobotState::kArmed ||
                     before == RobotState::kTakingOff);
         static_cast<void>(robot == 0 ? alone.admit(0, wish) : sent);

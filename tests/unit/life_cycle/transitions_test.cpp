@@ -171,7 +171,7 @@ constexpr std::array<Orders, kRobotStates> kOrders = {{
     {"n..tls", CommandKind::kTakeOff, CommandKind::kTakeOff},
     {"nvh.ls", CommandKind::kHold, CommandKind::kHold},
     {"n.h.ls", CommandKind::kHold, CommandKind::kHold},
-    {"n.h.ls", CommandKind::kHold, CommandKind::kHold},
+    {"n...ls", CommandKind::kHold, CommandKind::kVelocity},
     {"n...ls", CommandKind::kLand, CommandKind::kLand},
     {"n....s", CommandKind::kStop, CommandKind::kStop},
     {"n.h.ls", CommandKind::kStop, CommandKind::kHold},

@@ -54,6 +54,26 @@ TEST(FlightEnd, IsNotCalledOffByAPlannerThatChangesItsMind) {
   EXPECT_EQ(end.update(2 * kStep, kFlies), Stage::kBraking);
 }
 
+TEST(FlightEnd, WhoeverStillSinksIsWaitedForButNotForEver) {
+  constexpr FlightEnd::Seen kSinks{
+      .planner_died = true, .all_still = false, .airborne = true, .sinking = true};
+  FlightEnd end;
+  EXPECT_EQ(end.update(kStep, kDies), Stage::kBraking);
+  Time now = kStep + FlightEnd::kHolding;
+  EXPECT_EQ(end.update(now, kRests), Stage::kLanding);
+  const Time landing = now;
+  now += 3 * FlightEnd::kMostLanding;
+  EXPECT_EQ(end.update(now, kSinks), Stage::kLanding) << "from high up";
+  EXPECT_EQ(end.update(now + FlightEnd::kMostLanding, kRests), Stage::kLanding);
+  EXPECT_EQ(end.update(now + FlightEnd::kMostLanding + Time(1), kRests), Stage::kDone);
+
+  FlightEnd endless;
+  EXPECT_EQ(endless.update(kStep, kDies), Stage::kBraking);
+  EXPECT_EQ(endless.update(landing, kRests), Stage::kLanding);
+  EXPECT_EQ(endless.update(landing + FlightEnd::kMostAltogether, kSinks), Stage::kLanding);
+  EXPECT_EQ(endless.update(landing + FlightEnd::kMostAltogether + Time(1), kSinks), Stage::kDone);
+}
+
 TEST(FlightEnd, NeitherBrakingNorLandingTakesForEver) {
   FlightEnd end;
   EXPECT_EQ(end.update(kStep, kDies), Stage::kBraking);
