@@ -4,6 +4,7 @@
 #include <chrono>
 #include <string>
 
+#include "bench/governor/estimator_time.hpp"
 #include "bench/governor/trial.hpp"
 
 namespace mayfly::bench {
@@ -154,6 +155,10 @@ Result<void> add_times(const GovernorPlan& plan, Report& report) {
                            .value = 1e6 * hostile->governor_seconds,
                            .unit = "us",
                            .wanted = agents == 50 ? 50.0 : 1000.0});
+    report.rows.push_back({.key = "estimator_" + std::to_string(agents),
+                           .what = "  the estimator before it",
+                           .value = 1e6 * estimator_seconds(agents, 1000),
+                           .unit = "us"});
   }
   return {};
 }

@@ -19,20 +19,23 @@ class FaultLog {
   // What one source answered this tick; a fault is logged when it begins or changes.
   class Source {
    public:
-    bool begins(HalFault fault, RobotIndex robot) {
-      const bool is_new = fault != HalFault::kNone && (fault != fault_ || robot != robot_);
-      fault_ = fault;
-      robot_ = robot;
+    bool begins(const HalResult& result) {
+      const bool is_new = result.fault != HalFault::kNone &&
+                          (result.fault != fault_ || result.robot != robot_ || result.cause != cause_);
+      fault_ = result.fault;
+      robot_ = result.robot;
+      cause_ = result.cause;
       return is_new;
     }
 
    private:
     HalFault fault_ = HalFault::kNone;
     RobotIndex robot_ = kEveryRobot;
+    std::string_view cause_;  // lives as long as the HAL
   };
 
   void note(Source& source, Time at, const HalResult& result) noexcept {
-    if (!source.begins(result.fault, result.robot)) {
+    if (!source.begins(result)) {
       return;
     }
     ++count_;

@@ -40,6 +40,7 @@ HalResult Guard::sense(Time now) noexcept {
   const HalResult result = hal_.read(now, estimator_.inbox());
   note_link(result);
   estimator_.update(now);
+  sensed_ = now;
   return result;
 }
 
@@ -163,8 +164,8 @@ void Guard::govern(Time now) noexcept {
   const GovernedColumns governed{kind_, vx_, vy_, vz_, governed_};
   governor_.govern(
       now,
-      {e.x, e.y, e.z, e.vx, e.vy, e.vz, e.known, orders_.authority(), e.fresh, e.anew,
-       config_.exchange != nullptr ? config_.exchange->kept_clear() : std::span<const KeptClear>()},
+      {e.x, e.y, e.z, e.vx, e.vy, e.vz, e.known, orders_.authority(), sensed_ == now ? e.fresh : unmeasured_,
+       e.anew, config_.exchange != nullptr ? config_.exchange->kept_clear() : std::span<const KeptClear>()},
       orders_.desired(), governed);
   orders_.finish(governed);
 }

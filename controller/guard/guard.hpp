@@ -119,7 +119,8 @@ class Guard {
   std::span<const std::uint8_t> present_;
   std::vector<Symptoms> symptoms_, told_of_, governed_;
   Symptoms everybody_, told_;
-  std::vector<std::uint8_t> held_;  // 1: holds because of its severity, and goes on when that is over
+  std::vector<std::uint8_t> unmeasured_;  // 0 of all
+  std::vector<std::uint8_t> held_;        // 1: holds because of its severity, and goes on when that is over
   std::vector<CommandKind> kind_, told_kind_;
   std::vector<float> vx_, vy_, vz_;
   std::vector<GuardEvent> events_;
@@ -127,6 +128,7 @@ class Guard {
   std::uint64_t sequence_ = 0;
   Time deadline_{0};
   Time last_tick_{Time::min()};
+  Time sensed_{Time::min()};  // what was heard in another tick than act() is not where anybody is now
   bool has_sensed_ = false;
   bool acknowledged_ = false;
   bool was_written_ = true;

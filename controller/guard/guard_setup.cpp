@@ -135,6 +135,7 @@ Guard::Guard(GuardConfig config, Hal& hal, Estimator estimator, Governor governo
       symptoms_(robots_),
       told_of_(robots_),
       governed_(robots_),
+      unmeasured_(robots_),
       held_(robots_),
       kind_(robots_, CommandKind::kHold),
       told_kind_(robots_, CommandKind::kHold),

@@ -12,7 +12,9 @@ namespace {
 constexpr float kClampedShare = 0.5F;
 
 const glm::vec3 kNowhere(std::numeric_limits<float>::quiet_NaN());
-constexpr float kStayingRate = 2.0F;   // 1/s, of the way back to its place
+constexpr float kStayingRate = 2.0F;  // 1/s, of the way back to its place
+constexpr float kMostAgainst = 1.0F;  // m/s: a drift that is faster is none, but a robot that does not answer
+constexpr float kMostOfIt = 0.9F;     // of a wish: as good as all
 constexpr float kFarthestBack = 0.3F;  // m: from farther away it does not go back, but stays there
 
 // Of one that returns: the share of its way that it goes in a second, and where and how slow it has arrived.
@@ -30,6 +32,7 @@ Orders::Orders(Config config)
       vy_(config_.robots),
       vz_(config_.robots),
       ours_(config_.robots, 1),
+      stays_(config_.robots, 1),
       places_(config_.robots, kNowhere),
       home_(config_.robots),
       destination_(config_.robots),
@@ -121,7 +124,9 @@ glm::vec3 Orders::against_drift(const Tick& tick, std::size_t robot) noexcept {
   if (!(glm::distance(place, here) <= kFarthestBack)) {
     place = here;
   }
-  return kStayingRate * (place - here) - drift;
+  const glm::vec3 wish = kStayingRate * (place - here) - drift;
+  const float speed = glm::length(wish);
+  return speed > kMostAgainst ? wish * (kMostAgainst / speed) : wish;
 }
 
 void Orders::obey(const Tick& tick, std::size_t robot) noexcept {
@@ -167,7 +172,8 @@ void Orders::land(const Tick& tick, std::size_t robot) noexcept {
   set(robot, is_down ? Authority::kLanding : Authority::kGoverned, Ending::kAsGoverned);
   if (!is_down) {
     const glm::vec3 stay = against_drift(tick, robot);
-    wish_of(robot, stay.x, stay.y, -config_.descent);
+    // Somebody below may let it neither sink nor, with the same wish, stay where it is: then it stays.
+    wish_of(robot, stay.x, stay.y, stays_[robot] != 0 ? -config_.descent : stay.z);
   }
 }
 
@@ -196,8 +202,11 @@ void Orders::go_back(const Tick& tick, std::size_t robot) noexcept {
   wish_of(robot, velocity.x, velocity.y, velocity.z);
 }
 
-void Orders::finish(const GovernedColumns& governed) const noexcept {
+void Orders::finish(const GovernedColumns& governed) noexcept {
   for (std::size_t robot = 0; robot < ending_.size(); ++robot) {
+    const float got = governed.vx[robot] * vx_[robot] + governed.vy[robot] * vy_[robot];
+    const float wanted = vx_[robot] * vx_[robot] + vy_[robot] * vy_[robot];
+    stays_[robot] = got < kMostOfIt * wanted ? 0 : 1;
     CommandKind& kind = governed.kind[robot];
     const bool rests = governed.vx[robot] == 0.0F && governed.vy[robot] == 0.0F && governed.vz[robot] == 0.0F;
     switch (ending_[robot]) {

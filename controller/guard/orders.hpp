@@ -52,7 +52,7 @@ class Orders {
 
   void give(const Tick& tick) noexcept;
   // After governing: makes of what was governed what is sent.
-  void finish(const GovernedColumns& governed) const noexcept;
+  void finish(const GovernedColumns& governed) noexcept;
 
   std::span<const Authority> authority() const noexcept { return authority_; }
   DesiredColumns desired() const noexcept { return {vx_, vy_, vz_}; }
@@ -75,7 +75,8 @@ class Orders {
   std::vector<Ending> ending_;
   std::vector<float> vx_, vy_, vz_;
   std::vector<std::uint8_t> ours_;
-  std::vector<glm::vec3> places_;  // m, where one that drifts is to stay; NaN of the others
+  std::vector<std::uint8_t> stays_;  // 1: it was given what its wish asked for along the ground
+  std::vector<glm::vec3> places_;    // m, where one that drifts is to stay; NaN of the others
   struct Place {
     glm::vec3 at{0.0F};
     bool known = false;

@@ -85,7 +85,7 @@ void GuardLoop::land() noexcept {
 }
 
 void GuardLoop::note(FaultLog::Source& source, Time now, const HalResult& result) noexcept {
-  if (source.begins(result.fault, result.robot)) {
+  if (source.begins(result)) {
     Event event{now.count(), result.robot, static_cast<std::uint32_t>(result.fault), 0, 0, {}, {}};
     copy_text(result.link, event.link);
     copy_text(result.cause, event.cause);

@@ -41,6 +41,16 @@ TEST(FaultLog, NamesNoRobotWhereAllOfALinkAreMeant) {
   EXPECT_EQ(log.told(kRobots).at(0).robot, "");
 }
 
+// A heartbeat that is missing, then a process that is gone: the second says what became of it.
+TEST(FaultLog, AnotherCauseIsAnotherFault) {
+  FaultLog log;
+  FaultLog::Source source;
+  log.note(source, 0s, kDown);
+  log.note(source, 1s, {HalFault::kLinkDown, kEveryRobot, "can0", "interface removed"});
+  EXPECT_EQ(log.count(), 2U);
+  EXPECT_EQ(log.told(kRobots).at(1).cause, "interface removed");
+}
+
 TEST(FaultLog, TakesAFaultThatGoesOnForOne) {
   FaultLog log;
   FaultLog::Source source;
