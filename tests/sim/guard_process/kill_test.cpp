@@ -21,7 +21,8 @@ constexpr int kAtOnce = 4;  // flights
 struct Trial {
   std::unique_ptr<TwoProcesses> flight;
   double phase = 0.0;  // of a tick
-  Time killed{0};
+  Time killed{0};      // when the signal was to be sent
+  Time late{0};        // until it was: this program, too, may have to wait for a processor
 };
 
 // Busy, because a phase is shorter than a sleep is exact.
@@ -46,7 +47,7 @@ Stopped outcome(Trial& trial) {
     ADD_FAILURE() << "the guard has ended before everybody stood still";
     return {};
   }
-  return {to_seconds(stop->still - trial.killed), to_seconds(stop->late)};
+  return {to_seconds(stop->still - trial.killed), to_seconds(stop->late + trial.late)};
 }
 
 void print(const char* what, std::vector<Stopped> all) {
@@ -84,6 +85,7 @@ void ill_treat(int signal, int trials, const char* what) {
       wait_for(trial.phase);
       trial.killed = monotonic_now();
       trial.flight->send_planner(signal);
+      trial.late = monotonic_now() - trial.killed;
     }
     for (Trial& trial : batch) {
       all.push_back(outcome(trial));
