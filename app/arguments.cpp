@@ -148,7 +148,7 @@ void add_bench(CLI::App& app, BenchOptions& options) {
       ->check(CLI::Range(1, 1'000'000));
   bench.add_option("--duration", options.duration_s, "Seconds to fly, other than the benchmark's own")
       ->type_name("S")
-      ->check(CLI::Range(0.01, 3600.0));
+      ->check(CLI::Range(0.01, 36000.0));
   bench.add_option("--seeds", options.seeds, "How often, each with other random numbers")
       ->type_name("N")
       ->check(CLI::Range(1, 1'000'000));

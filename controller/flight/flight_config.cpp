@@ -14,6 +14,10 @@ namespace {
 constexpr int kStatePeriods = 5;
 constexpr double kStateSeconds = 0.1;
 
+// What is sent is good for this many control periods: long enough for a tick that is skipped and its jitter,
+// and no longer, because room is kept for all that a robot does until then.
+constexpr double kCommandPeriods = 2.5;
+
 ObstacleView obstacle_view(const World& world, const Motion& motion) {
   ObstacleView view;
   if (!world.solid.empty()) {
@@ -34,6 +38,7 @@ Time most_state_age(const Scenario& scenario) {
 GovernorConfig governor_config(const Scenario& scenario, const World& world, const Motion& motion) {
   GovernorConfig config;
   config.period = from_seconds(1.0 / static_cast<double>(scenario.control.rate));
+  config.command_life = from_seconds(kCommandPeriods * to_seconds(config.period));
   config.fence = scenario.world.bounds;
   for (const PlaneSpec& plane : scenario.world.fence) {
     config.half_spaces.push_back({plane.normal, plane.offset});

@@ -13,9 +13,9 @@
 namespace mayfly {
 namespace {
 
-// What is told to a robot is good for this many control periods, and so is a plan: long enough for one late
-// tick, short enough to stop soon after the last.
-constexpr int kCommandPeriods = 5;
+// A plan is good for this many control periods: long enough for one late tick, short enough to stop soon
+// after the last.
+constexpr int kPlanPeriods = 5;
 
 const HalSpec* hal_of(const Scenario& scenario, const SwarmSpec& swarm) {
   const auto hal = std::find_if(scenario.hals.begin(), scenario.hals.end(),
@@ -72,8 +72,8 @@ GuardConfig guard_config(const Scenario& scenario, const World& world, const Mot
   config.period = config.governor.period;
   config.estimator = estimator_config(scenario);
   config.life_cycle.robots = config.estimator.robots.size();
-  config.most_plan_age = kCommandPeriods * config.period;
-  config.command_life = kCommandPeriods * config.period;
+  config.most_plan_age = kPlanPeriods * config.period;
+  config.command_life = config.governor.command_life;
   config.hooks.allocations = ArmedTick::offences;
   // On a virtual clock a tick takes no time, but for what a scenario's faults take.
   if (clock.is_virtual() || scenario.control.realtime == RealtimePolicy::kEnforce) {

@@ -19,7 +19,7 @@ Result<void> Governor::admit(const GovernorState& state) const {
     return refuse("the start state has too few rows", "", fmt::format("{} robots", agents()));
   }
   Governor trial = *this;
-  trial.fleet_.settle(state, 1);
+  trial.fleet_.settle(state, to_seconds(config_.period));
   for (std::size_t i = 0; i < agents(); ++i) {
     if (!trial.fleet_.group_of(i).spec.enabled) {
       continue;

@@ -29,6 +29,13 @@ Capsule capsule_around(std::span<const glm::dvec3> points) noexcept {
   return capsule;
 }
 
+glm::dvec3 nearest_in(const Capsule& capsule, glm::dvec3 place) noexcept {
+  const double t = share_nearest(place, capsule.a, capsule.b);
+  const glm::dvec3 on_axis = capsule.a + t * (capsule.b - capsule.a);
+  const double away = length3(place - on_axis);
+  return away > capsule.radius ? on_axis + (capsule.radius / away) * (place - on_axis) : place;
+}
+
 // The nearest points of two segments by alternating between them: of the middle line first, then each end's
 // best answer (Ericson, Real-Time Collision Detection, 5.1.9).
 glm::dvec3 nearest_way(const Capsule& p, const Capsule& q) noexcept {

@@ -54,6 +54,9 @@ struct Capsule {
 // Contains every one of the points, hence their convex hull. At least one.
 Capsule capsule_around(std::span<const glm::dvec3> points) noexcept;
 
+// The nearest to `place` of all that it contains.
+glm::dvec3 nearest_in(const Capsule& capsule, glm::dvec3 place) noexcept;
+
 // From q's axis to p's, where they are nearest: any length, zero where they meet.
 glm::dvec3 nearest_way(const Capsule& p, const Capsule& q) noexcept;
 

@@ -13,6 +13,8 @@ namespace {
 constexpr double kBelievable = 10.0;
 // s, within which it is forgotten that a reference was moved: a drift that leaves the tube in less is told.
 constexpr double kSlipSeconds = 0.25;
+// s: a deadline that is missed by less was kept.
+constexpr double kSameTime = 1e-8;
 
 std::vector<GroupModel> group_models(const GovernorConfig& config) {
   std::vector<GroupModel> groups;
@@ -59,26 +61,36 @@ Fleet::Fleet(const GovernorConfig& config)
 void Fleet::forget() noexcept {
   for (FleetRobot& robot : robots_) {
     robot.reference.forget();
+    robot.coasts = false;
   }
 }
 
-void Fleet::settle(const GovernorState& state, std::uint64_t ticks) noexcept {
+glm::dvec3 Fleet::braked(std::size_t i) const noexcept {
+  const Braking& braking = group_of(i).braking;
+  return brake(glm::dvec3(robots_[i].sent), braking.deceleration * std::min(passed_, braking.period));
+}
+
+double Fleet::most_change(std::size_t i) const noexcept {
+  const GroupModel& group = group_of(i);
+  return group.change_limit * std::min(passed_ / group.braking.period, 1.0);
+}
+
+void Fleet::settle(const GovernorState& state, double passed) noexcept {
+  passed_ = passed;
   for (std::size_t i = 0; i < robots_.size(); ++i) {
     const glm::vec3 place(state.x[i], state.y[i], state.z[i]);
     const glm::vec3 velocity(state.vx[i], state.vy[i], state.vz[i]);
     robots_[i].estimated = state.known[i] != 0 && finite(place) && finite(velocity);
     robots_[i].estimate = robots_[i].estimated ? glm::dvec3(place) : glm::dvec3(0.0);
     robots_[i].velocity = robots_[i].estimated ? velocity : glm::vec3(0.0F);
-    settle_robot(i, state.authority.empty() ? Authority::kGoverned : state.authority[i], velocity, ticks);
-    measure(i, state.measured.empty() || state.measured[i] != 0, !state.anew.empty() && state.anew[i] != 0,
-            ticks);
+    settle_robot(i, state.authority.empty() ? Authority::kGoverned : state.authority[i], velocity);
+    measure(i, state.measured.empty() || state.measured[i] != 0, !state.anew.empty() && state.anew[i] != 0);
     balls_[i] = ball_of(i);
   }
   cells_.sort(balls_);
 }
 
-void Fleet::settle_robot(std::size_t i, Authority authority, glm::vec3 velocity,
-                         std::uint64_t ticks) noexcept {
+void Fleet::settle_robot(std::size_t i, Authority authority, glm::vec3 velocity) noexcept {
   FleetRobot& robot = robots_[i];
   const Authority before = robot.authority;
   robot.authority = authority;
@@ -91,10 +103,11 @@ void Fleet::settle_robot(std::size_t i, Authority authority, glm::vec3 velocity,
     case Authority::kForeign:
       robot.reference.forget();
       robot.sent = glm::vec3(0.0F);
-      settle_foreign(i, velocity, ticks);
+      settle_foreign(i, velocity);
       break;
     case Authority::kAtRest:
       robot.sent = glm::vec3(0.0F);
+      robot.coasts = false;
       if (robot.estimated) {
         robot.reference.adopt(robot.estimate, robot.sent, group_of(i).model);
         reserve_braking(i);
@@ -103,30 +116,40 @@ void Fleet::settle_robot(std::size_t i, Authority authority, glm::vec3 velocity,
     case Authority::kSilent:
       // What it heard last it may still do; nothing that it is told from now on changes that.
       if (is_flown(before)) {
-        settle_ours(i, true, velocity, ticks);
+        settle_ours(i, true, velocity);
+        coast(i);
+      } else {
+        robot.rests_in -= passed_;
       }
-      robot.reference.set_velocity(robot.sent);
       break;
     case Authority::kGoverned:
     case Authority::kBraking:
       // Whoever lands is not where its reference was left.
-      settle_ours(i, is_flown(before) && !robot.descends, velocity, ticks);
+      settle_ours(i, (is_flown(before) && !robot.descends) || before == Authority::kSilent, velocity);
       break;
     case Authority::kLanding:
-      settle_ours(i, is_flown(before), velocity, ticks);
+      settle_ours(i, is_flown(before) || before == Authority::kSilent, velocity);
   }
 }
 
-void Fleet::settle_ours(std::size_t i, bool was_ours, glm::vec3 velocity, std::uint64_t ticks) noexcept {
+void Fleet::settle_ours(std::size_t i, bool was_ours, glm::vec3 velocity) noexcept {
   FleetRobot& robot = robots_[i];
   const GroupModel& group = group_of(i);
   if (!was_ours) {
     robot.reference.forget();
+    robot.coasts = false;
+  }
+  if (robot.coasts) {
+    settle_coasting(i);
+    return;
   }
   if (robot.reference.known()) {
-    for (std::uint64_t tick = 0; tick < ticks; ++tick) {
-      robot.reference.advance(robot.sent, group.model);
+    if (group.spec.enabled && passed_ > group.command_life + kSameTime && robot.sent != glm::vec3(0.0F)) {
+      coast(i);
+      settle_coasting(i);
+      return;
     }
+    robot.reference.advance(robot.sent, passed_, group.model);
   } else {
     robot.descends = false;
     robot.estimated =
@@ -140,13 +163,37 @@ void Fleet::settle_ours(std::size_t i, bool was_ours, glm::vec3 velocity, std::u
   reserve_braking(i);
 }
 
+void Fleet::coast(std::size_t i) noexcept {
+  FleetRobot& robot = robots_[i];
+  if (robot.coasts || !robot.reference.known() || !group_of(i).spec.enabled) {
+    return;
+  }
+  robot.coasts = true;
+  robot.is_late = false;
+  robot.rests_in = group_of(i).rest_time_unheard(length3(glm::dvec3(robot.sent)));
+  robot.sent = glm::vec3(0.0F);
+}
+
+// Its claim stays as it was, until it is at rest and seen: then it is where the claim is nearest to where it
+// is seen, so that what is reserved from then on lies in the claim.
+void Fleet::settle_coasting(std::size_t i) noexcept {
+  FleetRobot& robot = robots_[i];
+  robot.rests_in -= passed_;
+  if (robot.rests_in > 0.0 || !robot.estimated) {
+    return;
+  }
+  robot.coasts = false;
+  robot.reference.adopt(nearest_in(claims_[i].capsule, robot.estimate), robot.sent, group_of(i).model);
+  reserve_braking(i);
+}
+
 // Between two measurements a robot is taken to be as far off its reference as it was at the first. What it
 // may do beside its reference changes with each: it is reserved anew.
-void Fleet::measure(std::size_t i, bool measured, bool anew, std::uint64_t ticks) noexcept {
+void Fleet::measure(std::size_t i, bool measured, bool anew) noexcept {
   FleetRobot& robot = robots_[i];
   const GroupModel& group = group_of(i);
   if (robot.slipped != glm::dvec3(0.0)) {
-    robot.slipped *= std::exp(-group.model.period * static_cast<double>(ticks) / kSlipSeconds);
+    robot.slipped *= std::exp(-passed_ / kSlipSeconds);
   }
   if (robot.descends) {
     return;  // on its own way, which the column below it holds
@@ -161,7 +208,8 @@ void Fleet::measure(std::size_t i, bool measured, bool anew, std::uint64_t ticks
   }
   const double tube = group.spec.limits.tube;
   const bool strayed = robot.strays;
-  robot.off = robot.reference.way_to(robot.estimate);
+  robot.off = robot.coasts ? robot.estimate - nearest_in(claims_[i].capsule, robot.estimate)
+                           : robot.reference.way_to(robot.estimate);
   const double off = length3(robot.off);
   const bool within = off <= tube || tube <= 0.0;
   robot.torn = (robot.torn || anew) && !within;
@@ -173,11 +221,11 @@ void Fleet::measure(std::size_t i, bool measured, bool anew, std::uint64_t ticks
 }
 
 // A ball around the place where it was seen last, which grows until it is seen again.
-void Fleet::settle_foreign(std::size_t i, glm::vec3 velocity, std::uint64_t ticks) noexcept {
+void Fleet::settle_foreign(std::size_t i, glm::vec3 velocity) noexcept {
   const GroupModel& group = group_of(i);
   Claim& claim = claims_[i];
   if (!robots_[i].estimated) {
-    claim.age += group.braking.period * static_cast<double>(ticks);
+    claim.age += passed_;
     return;
   }
   claim = {.present = group.spec.enabled,
@@ -189,15 +237,22 @@ void Fleet::settle_foreign(std::size_t i, glm::vec3 velocity, std::uint64_t tick
 }
 
 void Fleet::reserve_braking(std::size_t i) noexcept {
-  if (!group_of(i).spec.enabled) {
+  FleetRobot& robot = robots_[i];
+  if (!group_of(i).spec.enabled || robot.coasts) {
     return;
   }
-  FleetRobot& robot = robots_[i];
   const Braking& braking = group_of(i).braking;
-  const glm::dvec3 velocity(robot.reference.velocity());
-  robot.braking = hull_of(i, brake(velocity, braking.step()));
-  if (braking.watchdog > 0.0) {  // it may not hear that it is to brake
-    robot.braking.add(robot.reference.lead() + way_to_rest(velocity, braking));
+  const glm::dvec3 sent(robot.sent);
+  const double late = passed_ - braking.period;
+  robot.is_late = (late - kSameTime) * length3(sent) > braking.watchdog * braking.step() &&
+                  length3(sent) > braking.step();
+  robot.braking = robot.is_late ? tail_of(i) : hull_of(i, braked(i));
+  Braking alone = braking;  // it may not hear that it is to brake
+  alone.watchdog = std::max(braking.watchdog - late, 0.0);
+  const glm::dvec3 rest = robot.reference.lead() + way_to_rest(sent, alone);
+  robot.braking.add(rest);
+  if (robot.beyond != glm::dvec3(0.0)) {
+    robot.braking.add(rest + robot.beyond);
   }
   if (robot.authority == Authority::kLanding && (robot.descends || robot.sent == glm::vec3(0.0F))) {
     for (glm::dvec3 below : {robot.reference.lead(), robot.reference.lead() + robot.beyond}) {
@@ -206,6 +261,17 @@ void Fleet::reserve_braking(std::size_t i) noexcept {
     }
   }
   claims_[i] = claim_of(i, robot.braking);
+}
+
+// Where it is and may be, without a command.
+Hull Fleet::tail_of(std::size_t i) const noexcept {
+  Hull hull;
+  robots_[i].reference.add_tail(hull, group_of(i).model);
+  hull.add(robots_[i].reference.lead());
+  if (robots_[i].beyond != glm::dvec3(0.0)) {
+    hull.add_shifted(robots_[i].beyond);
+  }
+  return hull;
 }
 
 Hull Fleet::hull_of(std::size_t i, glm::dvec3 command) const noexcept {
@@ -243,7 +309,8 @@ NeighbourCells::Ball Fleet::ball_of(std::size_t i) const noexcept {
   const GroupModel& group = group_of(i);
   const Reference& reference = robots_[i].reference;
   const double around = claim.kept * tallest_;
-  if (is_flown(robots_[i].authority) && robots_[i].authority != Authority::kLanding && reference.known()) {
+  if (is_flown(robots_[i].authority) && robots_[i].authority != Authority::kLanding && reference.known() &&
+      !robots_[i].coasts) {
     const double speed = length3(glm::dvec3(reference.velocity()));
     const double reach = group.reach(speed, reference.tail_reach(group.model));
     return {reference.lead(),
@@ -264,7 +331,7 @@ Nearness Fleet::nearness_of(std::size_t i, const Hull& hull, const Claim& claim,
 // which nobody ever knew where it was.
 bool Fleet::may_descend(std::size_t i, Nearness nearness) noexcept {
   FleetRobot& robot = robots_[i];
-  const bool rests = robot.sent == glm::vec3(0.0F);
+  const bool rests = robot.sent == glm::vec3(0.0F) && !robot.coasts;
   robot.descends = robot.descends || (rests && nearness == Nearness::kApart);
   return robot.descends;
 }

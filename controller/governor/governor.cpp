@@ -12,7 +12,6 @@ namespace {
 constexpr double kRounding = 1e-6;
 // Between braking (0) and what is wanted (1), in the order in which they are tried.
 constexpr double kShares[] = {1.0, 0.5, 0.25};
-constexpr std::uint64_t kMostSkipped = 1000;
 
 bool columns_fit(std::size_t agents, const DesiredColumns& desired, const GovernedColumns& out) noexcept {
   const std::size_t least = std::min({desired.vx.size(), desired.vy.size(), desired.vz.size(),
@@ -34,13 +33,13 @@ Governor::Governor(GovernorConfig config)
 
 GovernorReference Governor::reference(std::size_t agent) const noexcept {
   const Reference& reference = fleet_.robot(agent).reference;
-  return {reference.body(), reference.velocity(), reference.known()};
+  return {reference.body(), glm::vec3(reference.velocity()), reference.known()};
 }
 
 void Governor::govern(Time now, const GovernorState& state, const DesiredColumns& desired,
                       const GovernedColumns& out) noexcept {
   ++counters_.ticks;
-  const std::uint64_t ticks = ticks_since_last(now);
+  const double passed = time_since_last(now);
   if (!columns_fit(agents(), state) || !columns_fit(agents(), desired, out)) {
     ++counters_.refused_calls;
     std::fill(out.kind.begin(), out.kind.end(), CommandKind::kHold);
@@ -48,7 +47,7 @@ void Governor::govern(Time now, const GovernorState& state, const DesiredColumns
     return;
   }
   kept_clear_ = state.kept_clear;
-  fleet_.settle(state, ticks);
+  fleet_.settle(state, passed);
   // Whoever comes first has the most room, so the first is another each tick.
   const std::size_t first = agents() == 0 ? 0 : counters_.ticks % agents();
   for (std::size_t n = 0; n < agents(); ++n) {
@@ -62,16 +61,15 @@ void Governor::govern(Time now, const GovernorState& state, const DesiredColumns
   }
 }
 
-std::uint64_t Governor::ticks_since_last(Time now) noexcept {
+// s. Before the first tick, and where a clock goes backwards, it is a period.
+double Governor::time_since_last(Time now) noexcept {
   const Time before = std::exchange(last_, now);
   if (before == Time::min() || now <= before) {
-    return 1;
+    return to_seconds(config_.period);
   }
-  const Time half = config_.period / 2;
-  const auto ticks = static_cast<std::uint64_t>((now - before + half) / config_.period);
-  const std::uint64_t counted = std::clamp<std::uint64_t>(ticks, 1, kMostSkipped);
-  counters_.skipped_ticks += counted - 1;
-  return counted;
+  const auto periods = (now - before + config_.period / 2) / config_.period;
+  counters_.skipped_ticks += static_cast<std::uint64_t>(std::max<std::int64_t>(periods - 1, 0));
+  return to_seconds(now - before);
 }
 
 Governor::Decision Governor::decide(std::size_t i, glm::vec3 desired) noexcept {
@@ -80,13 +78,16 @@ Governor::Decision Governor::decide(std::size_t i, glm::vec3 desired) noexcept {
   const FleetRobot& robot = fleet_.robot(i);
   const bool moves = may_move(i, desired, decision);
   if (moves) {
-    decision.command = limit(group, glm::dvec3(robot.sent), glm::dvec3(desired), decision);
+    decision.command = limit(i, glm::dvec3(desired), decision);
     if (!group.spec.enabled || reserve_free(i, decision.command, decision)) {
       return decision;
     }
   }
-  decision.command = brake(glm::dvec3(robot.sent), group.braking.step());
-  const bool ordered = robot.authority != Authority::kGoverned || !robot.estimated;
+  if (robot.is_late) {
+    fleet_.coast(i);
+  }
+  decision.command = fleet_.braked(i);
+  const bool ordered = robot.authority != Authority::kGoverned || !robot.estimated || robot.coasts;
   if (ordered && decision.command == glm::dvec3(0.0)) {
     decision.kind = robot.authority == Authority::kForeign ? CommandKind::kNone : CommandKind::kHold;
   }
@@ -115,19 +116,20 @@ bool Governor::may_move(std::size_t i, glm::vec3 desired, Decision& decision) co
     case Authority::kAbsent:
       return false;
   }
-  if (!robot.estimated) {
+  if (!robot.estimated || robot.coasts) {
     decision.add(GovernorReason::kUnknown);
   }
   if (!finite(desired)) {
     decision.add(GovernorReason::kNotFinite);
   }
-  return robot.estimated && finite(desired);
+  return robot.estimated && !robot.coasts && finite(desired);
 }
 
 // Speed first, then the change of velocity: an agent that is too fast brakes along its way until it is legal,
 // because a faster cut would break the acceleration limit.
-glm::dvec3 Governor::limit(const GroupModel& group, glm::dvec3 reference, glm::dvec3 desired,
-                           Decision& decision) const noexcept {
+glm::dvec3 Governor::limit(std::size_t i, glm::dvec3 desired, Decision& decision) const noexcept {
+  const GroupModel& group = fleet_.group_of(i);
+  const glm::dvec3 before(fleet_.robot(i).sent);
   const double allowed = group.spec.limits.speed;
   const double slack = kRounding * allowed;
   glm::dvec3 wanted = desired;
@@ -139,26 +141,27 @@ glm::dvec3 Governor::limit(const GroupModel& group, glm::dvec3 reference, glm::d
   if (!group.spec.enabled) {
     return wanted;
   }
-  if (length3(reference) > allowed + slack) {
-    const glm::dvec3 braking = brake(reference, group.braking.step());
+  if (length3(before) > allowed + slack) {
+    const glm::dvec3 braking = fleet_.braked(i);
     if (length3(braking - desired) > slack) {
       decision.add(GovernorReason::kSpeed);
     }
     return braking;
   }
-  const glm::dvec3 change = wanted - reference;
+  const glm::dvec3 change = wanted - before;
   const double size = length3(change);
-  if (size > group.change_limit + slack) {
+  const double most = fleet_.most_change(i);
+  if (size > most + slack) {
     decision.add(GovernorReason::kAcceleration);
   }
-  return size > group.change_limit ? reference + change * (group.change_limit / size) : wanted;
+  return size > most ? before + change * (most / size) : wanted;
 }
 
 // All that is tried lies between two velocities that keep both limits, and both limits are balls: so does
 // everything here. False: only braking is left, or was wanted.
 bool Governor::reserve_free(std::size_t i, glm::dvec3 wanted, Decision& decision) noexcept {
   const GroupModel& group = fleet_.group_of(i);
-  const glm::dvec3 braking = brake(glm::dvec3(fleet_.robot(i).sent), group.braking.step());
+  const glm::dvec3 braking = fleet_.braked(i);
   const glm::dvec3 beyond = wanted - braking;
   if (length3(beyond) <= kRounding * group.spec.limits.speed) {
     return false;
@@ -223,7 +226,7 @@ void Governor::nudge(std::size_t i) noexcept {
   const GroupModel& group = fleet_.group_of(i);
   const glm::dvec3 way = fleet_.robot(i).off;
   const double off = length3(way);
-  if (!group.spec.enabled || off <= group.nudge_from || fleet_.robot(i).torn) {
+  if (!group.spec.enabled || off <= group.nudge_from || fleet_.robot(i).torn || fleet_.robot(i).coasts) {
     return;
   }
   if (const double beyond = length3(fleet_.robot(i).beyond); beyond > 0.0) {

@@ -33,7 +33,7 @@ class Governor {
   // first two that are too near to each other, with the inequality. Changes nothing; allocates.
   Result<void> admit(const GovernorState& state) const;
 
-  // One tick. `now` tells whether some were skipped: then robots flew on with their last commands. Neither
+  // One tick, early or late: `now` tells for how long robots have flown with their last commands. Neither
   // allocates nor throws; columns that are too short are refused, and every robot is told to hold.
   void govern(Time now, const GovernorState& state, const DesiredColumns& desired,
               const GovernedColumns& out) noexcept;
@@ -62,12 +62,11 @@ class Governor {
   };
 
   explicit Governor(GovernorConfig config);
-  std::uint64_t ticks_since_last(Time now) noexcept;
+  double time_since_last(Time now) noexcept;
 
   Decision decide(std::size_t i, glm::vec3 desired) noexcept;
   bool may_move(std::size_t i, glm::vec3 desired, Decision& decision) const noexcept;
-  glm::dvec3 limit(const GroupModel& group, glm::dvec3 reference, glm::dvec3 desired,
-                   Decision& decision) const noexcept;
+  glm::dvec3 limit(std::size_t i, glm::dvec3 desired, Decision& decision) const noexcept;
   bool reserve_free(std::size_t i, glm::dvec3 wanted, Decision& decision) noexcept;
   bool admissible(std::size_t i, const Trial& trial, Decision& decision, GovernorReason& cause) noexcept;
   bool clear_of_all(std::size_t i, const Trial& trial) const noexcept;

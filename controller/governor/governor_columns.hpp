@@ -76,7 +76,7 @@ struct GovernedColumns {
 // Where the governor takes a robot to be, before the tick's command: what `tube` is measured from.
 struct GovernorReference {
   glm::dvec3 body{0.0};
-  glm::vec3 velocity{0.0F};  // as it was commanded last
+  glm::vec3 velocity{0.0F};  // as it was commanded last, or on the way to it
   bool known = false;        // false: no estimate yet
 };
 

@@ -33,8 +33,10 @@ struct GovernorLimits {
   // is (g − p)/τ then, of a point g that moves exactly as commanded.
   float response_time = 0.0F;
   Follows follows = Follows::kAccelerating;  // where response_time is 0
-  int latency = 0;        // ticks, at most kMostLatency: a command takes effect after 0 to this many
-  float watchdog = 0.0F;  // s that a robot flies on by itself when it hears nothing, before it brakes
+  int latency = 0;  // ticks, at most kMostLatency: a command takes effect after 0 to this many
+  // s that a robot flies on by itself when the next command does not come, before it brakes; that long at
+  // least, if a command's life is longer.
+  float watchdog = 0.0F;
   float downwash = 1.0F;  // two of these keep this many times the distance above each other; at least 1
 };
 inline constexpr int kMostLatency = 8;
@@ -57,7 +59,9 @@ struct HalfSpace {
 };
 
 struct GovernorConfig {
-  Time period{0};                      // of the control task
+  Time period{0};  // of the control task
+  // What is sent is obeyed for so long, then the robot brakes by itself. 0: for a period.
+  Time command_life{0};
   Box fence;                           // m; bodies stay inside
   std::vector<HalfSpace> half_spaces;  // and in all of these
   ObstacleView obstacles;              // empty for none

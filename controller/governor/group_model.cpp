@@ -24,6 +24,10 @@ double GroupModel::rest_time(double speed) const {
   return braking.period + braking.watchdog + speed / braking.deceleration;
 }
 
+double GroupModel::rest_time_unheard(double speed) const {
+  return rest_time(speed) + 3.0 * model.response_time;
+}
+
 double GroupModel::reach(double speed, double tail) const {
   const double next = std::max(speed, std::min(speed + change_limit, static_cast<double>(spec.limits.speed)));
   return tail + braking.period * next + stopping_distance(next, braking) + most_nudge;
@@ -31,7 +35,7 @@ double GroupModel::reach(double speed, double tail) const {
 
 double GroupModel::usual_reach() const {
   const double speed = spec.limits.speed;
-  return reach(speed, speed * (model.response_time + spec.limits.latency * model.period));
+  return reach(speed, speed * (model.response_time + spec.limits.latency * braking.period));
 }
 
 GroupModel make_group_model(const GovernorGroup& spec, const GovernorConfig& config) {
@@ -39,10 +43,11 @@ GroupModel make_group_model(const GovernorGroup& spec, const GovernorConfig& con
   const double period = to_seconds(config.period);
   GroupModel group;
   group.spec = spec;
-  group.braking = {limits.braking, period, limits.watchdog};
+  const double life = std::max(period, to_seconds(config.command_life));
+  group.command_life = life;
+  group.braking = {limits.braking, period, std::max(static_cast<double>(limits.watchdog), life - period)};
   const bool at_once = limits.follows == Follows::kAtOnce;
-  group.model = {period,
-                 at_once ? std::numeric_limits<double>::infinity() : static_cast<double>(limits.acceleration),
+  group.model = {at_once ? std::numeric_limits<double>::infinity() : static_cast<double>(limits.acceleration),
                  limits.response_time};
   group.change_limit = limits.acceleration * period;
   group.most_nudge = limits.speed * period;

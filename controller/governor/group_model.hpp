@@ -12,6 +12,7 @@ struct GroupModel {
   GovernorGroup spec;
   Braking braking;
   ReferenceModel model;
+  double command_life = 0.0;  // s that a command is obeyed for, at least a period
   double change_limit = 0.0;  // m/s a tick
   double kept = 0.0;          // m around a reservation: body, tube, arc and rounding
   double nudge_from = 0.0;    // m that a robot may be off its reference before that is moved
@@ -20,6 +21,8 @@ struct GroupModel {
 
   // s until a robot with this velocity may be at rest.
   double rest_time(double speed) const;
+  // The same from the last command on, where nothing more was heard: 95 % of a lag besides.
+  double rest_time_unheard(double speed) const;
   // m from its lead: what it may need in a tick, at this speed before it.
   double reach(double speed, double tail) const;
   // The same of all that keep the speed limit.

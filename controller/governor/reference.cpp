@@ -11,13 +11,13 @@ Reference::Reference(int latency)
 void Reference::adopt(glm::dvec3 place, glm::vec3 velocity, const ReferenceModel& model) noexcept {
   body_ = place;
   lead_ = place + model.response_time * glm::dvec3(velocity);
-  velocity_ = velocity;
+  velocity_ = glm::dvec3(velocity);
   known_ = true;
   std::fill(leads_.begin(), leads_.end(), lead_);
   std::fill(bodies_.begin(), bodies_.end(), body_);
 }
 
-void Reference::advance(glm::vec3 command, const ReferenceModel& model) noexcept {
+void Reference::advance(glm::vec3 command, double time, const ReferenceModel& model) noexcept {
   for (std::vector<glm::dvec3>* past : {&leads_, &bodies_}) {
     std::copy(past->begin() + (past->empty() ? 0 : 1), past->end(), past->begin());
   }
@@ -26,18 +26,20 @@ void Reference::advance(glm::vec3 command, const ReferenceModel& model) noexcept
     bodies_.back() = body_;
   }
   const glm::dvec3 w(command);
-  const glm::dvec3 change = w - glm::dvec3(velocity_);
-  velocity_ = command;
   if (model.response_time > 0.0) {
-    const double left = std::exp(-model.period / model.response_time);
+    const double left = std::exp(-time / model.response_time);
     const glm::dvec3 behind = model.response_time * w;
     const glm::dvec3 ahead = behind + left * ((lead_ - body_) - behind);
-    lead_ += model.period * w;
+    lead_ += time * w;
     body_ = lead_ - ahead;
+    velocity_ = w;
     return;
   }
-  const double ramp = std::min(length3(change) / model.acceleration, model.period);
-  lead_ += model.period * w - 0.5 * ramp * change;
+  const glm::dvec3 change = w - velocity_;
+  const double needs = length3(change) / model.acceleration;
+  const glm::dvec3 made = needs > time ? change * (time / needs) : change;
+  velocity_ = needs > time ? velocity_ + made : w;
+  lead_ += time * velocity_ - 0.5 * std::min(needs, time) * made;
   body_ = lead_;
 }
 

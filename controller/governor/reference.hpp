@@ -10,7 +10,6 @@ namespace mayfly {
 
 // What moves it: the robot's part of the limits, in double.
 struct ReferenceModel {
-  double period = 0.0;        // s
   double acceleration = 0.0;  // m/s²; infinite: commands take effect at once
   double response_time = 0.0;
 };
@@ -25,15 +24,16 @@ class Reference {
   bool known() const noexcept { return known_; }
   glm::dvec3 lead() const noexcept { return lead_; }
   glm::dvec3 body() const noexcept { return body_; }
-  glm::vec3 velocity() const noexcept { return velocity_; }  // m/s, as sent
+  // m/s: as sent, or on the way to it where the tick was shorter than that takes.
+  glm::dvec3 velocity() const noexcept { return velocity_; }
 
   void forget() noexcept { known_ = false; }
   // As if the robot had been there, at rest, before.
   void adopt(glm::dvec3 place, glm::vec3 velocity, const ReferenceModel& model) noexcept;
-  // One tick under the command that was sent for it, m/s.
-  void advance(glm::vec3 command, const ReferenceModel& model) noexcept;
+  // From one tick to the next, `time` s later, under the command that was sent in the first, m/s.
+  void advance(glm::vec3 command, double time, const ReferenceModel& model) noexcept;
   // The velocity that it is told without moving it.
-  void set_velocity(glm::vec3 command) noexcept { velocity_ = command; }
+  void set_velocity(glm::vec3 command) noexcept { velocity_ = glm::dvec3(command); }
   // All of it, as it stands, to another place.
   void shift(glm::dvec3 way) noexcept;
 
@@ -46,7 +46,7 @@ class Reference {
 
  private:
   glm::dvec3 lead_{0.0}, body_{0.0};
-  glm::vec3 velocity_{0.0F};
+  glm::dvec3 velocity_{0.0};
   bool known_ = false;
   std::vector<glm::dvec3> leads_, bodies_;  // of the last ticks, oldest first
 };

@@ -87,6 +87,11 @@ Result<void> check(const GuardConfig& config) {
                   std::to_string(to_seconds(config.command_life)) + " s",
                   "> " + std::to_string(to_seconds(config.period)) + " s, the period");
   }
+  if (config.command_life != config.governor.command_life) {
+    return refuse("the governor keeps room for commands of another life than the guard's",
+                  std::to_string(to_seconds(config.governor.command_life)) + " s",
+                  std::to_string(to_seconds(config.command_life)) + " s");
+  }
   const std::size_t robots = robots_of(config.governor);
   if (config.estimator.robots.size() != robots || config.life_cycle.robots != robots) {
     return refuse(

@@ -133,7 +133,9 @@ void Monitor::check_motion(const TickOutcome& tick, std::size_t robot, const glm
     return;
   }
   const double slack = kRounding * limits.speed;
-  if (glm::length(velocity - before.velocity) > limits.change + slack) {
+  // A robot that is told to hold brakes by itself.
+  if (tick.commands.kind[robot] != CommandKind::kHold &&
+      glm::length(velocity - before.velocity) > limits.change + slack) {
     breach(Invariant::kAcceleration, robot);
   }
   const bool is_faster = glm::length(velocity) > glm::length(before.velocity) + slack;

@@ -160,6 +160,7 @@ TEST(GovernorPairs, OrderedToBrakeARobotBrakesThenHolds) {
 TEST(GovernorPairs, ASilentRobotKeepsWhatItHad) {
   GovernorConfig config = default_config(2);
   config.groups[0].limits.watchdog = 0.1F;
+  config.groups[0].limits.tube = 0.02F;
   Rig rig(config);
   rig.place(0, {0, 0, 0}, {1, 0, 0});
   rig.place(1, {0.6F, 0, 0}, {0, 0, 0});
@@ -178,13 +179,14 @@ TEST(GovernorPairs, ASilentRobotKeepsWhatItHad) {
   EXPECT_EQ(rig.kind[0], CommandKind::kHold);
   EXPECT_GE(rig.count(GovernorReason::kOrdered), 200U);
   rig.authority[0] = Authority::kGoverned;  // heard again, but not yet seen
-  rig.tick();
-  EXPECT_FALSE(rig.governor.reference(0).known);
+  EXPECT_EQ(rig.tick({1, 0, 0}), glm::vec3(0.0F));
+  EXPECT_EQ(rig.kind[0], CommandKind::kHold);
   EXPECT_GE(rig.governor.reference(1).body.x, 0.43);
   rig.known[0] = 1;
-  rig.place(0, {0.2F, 0, 0}, {0, 0, 0});
+  rig.place(0, {0.2F, 0.009F, 0}, {0, 0, 0});
   rig.tick();
-  EXPECT_NEAR(rig.governor.reference(0).body.x, 0.2, 1e-6);
+  EXPECT_NEAR(rig.governor.reference(0).body.x, 0.2, 1e-6) << "somewhere in what it had";
+  EXPECT_NEAR(rig.governor.reference(0).body.y, 0.0, 1e-6) << "and nowhere else";
 }
 
 TEST(GovernorPairs, AForeignRobotIsABallThatGrowsWhileItIsNotSeen) {

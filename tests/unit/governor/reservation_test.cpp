@@ -118,7 +118,7 @@ TEST(Reservation, TailsShrinkAndHoldTheBody) {
   for (int i = 0; i < 60; ++i) {
     const Braking braking{draw.between(1.0, 10.0), 0.02, 0.0};
     const int latency = i % 4;
-    const ReferenceModel model{0.02, 20.0, i % 3 == 0 ? 0.0 : 0.1};
+    const ReferenceModel model{20.0, i % 3 == 0 ? 0.0 : 0.1};
     Reference reference(latency);
     reference.adopt({0, 0, 0}, glm::vec3(draw.vector(0.5)), model);
     Hull last;
@@ -134,7 +134,7 @@ TEST(Reservation, TailsShrinkAndHoldTheBody) {
         }
       }
       last = now;
-      reference.advance(w, model);
+      reference.advance(w, 0.02, model);
       ASSERT_LE(distance_to_hull(reference.body(), now.points()), 1e-9);
     }
   }

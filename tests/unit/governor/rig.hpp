@@ -49,10 +49,10 @@ class Rig {
   // Moves an agent to where its command takes it by the next tick.
   void fly(std::size_t i) {
     const GovernorReference at = governor.reference(i);
-    const ReferenceModel model{0.01, 4.0, 0.0};
+    const ReferenceModel model{4.0, 0.0};
     Reference robot(0);
     robot.adopt(at.body, at.velocity, model);
-    robot.advance(command(i), model);
+    robot.advance(command(i), 0.01, model);
     place(i, glm::vec3(robot.body()), command(i));
   }
   // One tick of agent 0.

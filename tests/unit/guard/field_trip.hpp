@@ -98,7 +98,7 @@ inline GuardConfig guard_of(std::size_t robots) {
   config.estimator.robots.assign(robots, {2.0F, 4.0F, 0.0F});
   config.life_cycle.robots = robots;
   config.most_plan_age = 5 * kTick;
-  config.command_life = 5 * kTick;
+  config.command_life = config.governor.command_life = 5 * kTick;
   config.black_box.seconds = 1.0;
   return config;
 }

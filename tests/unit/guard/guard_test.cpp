@@ -65,8 +65,11 @@ TEST(Guard, RefusesTimesThatAreNone) {
   }
   GuardConfig config = guard_of(1);
   EXPECT_TRUE(check(config));
-  config.command_life = config.period;
+  config.command_life = config.governor.command_life = config.period;
   EXPECT_FALSE(check(config)) << "robots would hold between two ticks";
+  config = guard_of(1);
+  config.governor.command_life += Time{1};
+  EXPECT_FALSE(check(config)) << "the governor must know how long robots obey";
   config = guard_of(1);
   config.estimator.robots.clear();
   EXPECT_FALSE(check(config));
