@@ -107,7 +107,7 @@ GuardConfig config_of(std::size_t robots, float side) {
   config.estimator.most_ahead = kPeriod;
   config.estimator.robots.assign(robots, {kSpeed, 4.0F, 0.0F});
   config.life_cycle.robots = robots;
-  config.most_plan_age = config.command_life = 5 * kPeriod;
+  config.most_plan_age = config.command_life = config.governor.command_life = 5 * kPeriod;
   return config;
 }
 
