@@ -17,7 +17,11 @@ namespace {
 
 constexpr double kPeriod = 0.01;  // s
 constexpr int kSubSamples = 4;
-constexpr double kRounding = 1.2e-7;  // relative, of a command that was rounded to floats
+// The governor keeps a command's limits in double and rounds each coordinate to a float: that moves the
+// command by at most 2⁻²⁴ of its length. Its own arithmetic and the one here, some tens of roundings of
+// numbers below 10, add less than 10⁻¹².
+constexpr double kRounding = 0x1p-24;  // relative
+constexpr double kArithmetic = 1e-12;  // m/s
 
 GovernorLimits limits_of(const TrialPlan& plan, int kind) {
   GovernorLimits limits;
@@ -142,7 +146,7 @@ class Trial {
     }
     for (std::size_t i = 0; i < plan_.agents; ++i) {
       const glm::dvec3 w(sent_.at(i));
-      const double rounding = kRounding * glm::length(w) + 1e-12;
+      const double rounding = kRounding * glm::length(w) + kArithmetic;
       result_.too_fast += !(glm::length(w) <= static_cast<double>(limits_[i].speed) + rounding) ? 1U : 0U;
       const double change = glm::length(w - glm::dvec3(before.at(i)));
       const double most = static_cast<double>(limits_[i].acceleration) * kPeriod;

@@ -1,5 +1,6 @@
 // The theorem of docs/explanation/safety.md, attacked: hostile commands, noise, latency and dropouts against
-// the true motion of 50 robots, four samples a tick. `mayfly bench governor` does the same for longer.
+// the true motion of 50 robots, four samples a tick. tests/property/governor and
+// `mayfly bench governor` do the same for longer.
 #include <gtest/gtest.h>
 
 #include "bench/governor/trial.hpp"
