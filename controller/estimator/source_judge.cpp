@@ -45,18 +45,21 @@ SampleFate SourceJudge::judge(std::size_t robot, const Sample& sample, const Ste
   const double seconds = to_seconds(waits ? std::min(gap, std::max(suspect.gap, most_age_)) : gap);
   const PoseGate gate = this->gate(robot);
   const Place& place = sample.value.position;
-  // Nor because the real robot, or the belief, drifts towards it.
+  // Nor because the real robot, or the belief, drifts towards it: one that was taken for another has been
+  // told to stop since, and a belief that flies on may pass through where that other stands.
+  const Place expected = suspect.swapped
+                             ? Place(last.belief.place_after(to_seconds(suspect.gap)) + (told - suspect.told))
+                             : last.belief.place_after(seconds);
   const Sample& other = suspect.last;  // a late sample comes before it
   const double between = std::abs(to_seconds(sample.stamp - other.stamp));
-  const bool goes_on =
-      suspect.jumps > 0 && gate.follows(other.value.position, between, sample.value) &&
-      (place - other.value.position).norm() < (place - last.belief.place_after(seconds)).norm();
+  const bool goes_on = suspect.jumps > 0 && gate.follows(other.value.position, between, sample.value) &&
+                       (place - other.value.position).norm() < (place - expected).norm();
   if (!goes_on && gate.fits(last.belief, seconds, sample.value)) {
     acquit(robot);
     return SampleFate::kTaken;
   }
   suspect.agreeing = goes_on ? suspect.agreeing : 0;
-  suspect_of(robot, sample, gap);
+  suspect_of(robot, sample, gap, told);
   return SampleFate::kJumped;
 }
 
@@ -102,10 +105,12 @@ bool SourceJudge::freezes(Repeat& repeat, const Sample& sample,
   return repeat.refused;
 }
 
-void SourceJudge::suspect_of(std::size_t robot, const Sample& sample, Time gap) noexcept {
+void SourceJudge::suspect_of(std::size_t robot, const Sample& sample, Time gap,
+                             const Eigen::RowVector3d& told) noexcept {
   Suspect& suspect = suspects_[robot];
   if (suspect.jumps == 0) {
     suspect.gap = gap;
+    suspect.told = told;
     ++active_;
   }
   ++suspect.jumps;

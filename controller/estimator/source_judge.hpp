@@ -25,6 +25,8 @@ struct Suspect {
   Time gap{0};                 // between the last pose taken and the first refused
   bool swapped = false;        // its poses go on where another robot's ended …
   std::size_t owner = 0;       // … and this robot's poses where its own did
+  // m, where its commands had taken it when it jumped first.
+  Eigen::RowVector3d told = Eigen::RowVector3d::Zero();
 };
 
 class SourceJudge {
@@ -66,7 +68,7 @@ class SourceJudge {
   };
   bool freezes(Repeat& repeat, const Sample& sample, const Eigen::RowVector3d& told) const noexcept;
   void acquit(std::size_t robot) noexcept;
-  void suspect_of(std::size_t robot, const Sample& sample, Time gap) noexcept;
+  void suspect_of(std::size_t robot, const Sample& sample, Time gap, const Eigen::RowVector3d& told) noexcept;
 
   std::vector<EstimatorLimits> limits_;
   double resolution_;

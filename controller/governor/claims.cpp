@@ -27,6 +27,19 @@ bool goes_no_nearer(const Wish& wish, const Claim& present, const Claim& other) 
   return dot3(n, n) > 0.0 && wish.hull.least_along(n) >= wish.braking.least_along(n);
 }
 
+// Whoever is between two places where a robot may be, or in the column below one that lands, leaves what is
+// reserved sideways: along it, it would come to the robot itself.
+bool keeps_off_ends(const Wish& wish, const Claim& present, const Claim& other) noexcept {
+  for (const glm::dvec3 end : {other.capsule.a, other.capsule.b}) {
+    Claim place = other;
+    place.capsule.a = place.capsule.b = end;
+    if (!keeps_distance(wish.claim, place, wish.rest_time) && !goes_no_nearer(wish, present, place)) {
+      return false;
+    }
+  }
+  return true;
+}
+
 }  // namespace
 
 double reach_of(const Claim& claim, double time) noexcept {
@@ -51,7 +64,8 @@ Nearness nearness(const Wish& wish, const Claim& present, std::span<const Claim>
     if (!other.present || keeps_distance(wish.claim, other, wish.rest_time)) {
       continue;
     }
-    if (keeps_distance(present, other, wish.rest_time) || !goes_no_nearer(wish, present, other)) {
+    if (keeps_distance(present, other, wish.rest_time) || !goes_no_nearer(wish, present, other) ||
+        !keeps_off_ends(wish, present, other)) {
       return Nearness::kTooNear;
     }
     all = Nearness::kParting;

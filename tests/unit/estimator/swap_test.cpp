@@ -1,6 +1,8 @@
 // Robots whose names were exchanged.
 #include <gmock/gmock.h>
 
+#include <algorithm>
+
 #include "tests/unit/estimator/rig.hpp"
 
 namespace mayfly::estimator_test {
@@ -192,6 +194,33 @@ TEST(SwapAtACrossing, IsTold) {
   EXPECT_FALSE(rig.estimator.estimate().everybody.has(Symptom::kIdSwap));
   fly(100, 101, true);
   EXPECT_TRUE(rig.estimator.estimate().everybody.has(Symptom::kIdSwap));
+}
+
+// The first flew towards the second, and brakes; a belief that knows nothing of commands flies on through it.
+TEST(SwapAhead, OneIsNotTakenForTheOtherWhereItWouldHaveFlownThrough) {
+  Rig rig(config_of(2));
+  double x = -0.2, speed = 2.0;
+  for (int i = 0; i < 80; ++i) {
+    const bool swapped = i >= 20;
+    speed = swapped ? std::max(0.0, speed - 0.04) : speed;
+    const double other = 1.0 + (i % 2 == 0 ? 0.0 : 1e-3);
+    rig.put(swapped ? 1 : 0, {x, 0.0, 1.0}, {speed, 0.0, 0.0});
+    rig.put(swapped ? 0 : 1, {other, 0.0, 1.0});
+    rig.tell(0, {speed, 0.0, 0.0});
+    rig.tick();
+    x += 0.01 * speed;
+    ASSERT_EQ(rig.estimator.counters().started_anew, 0U) << i;
+  }
+  rig.tell_hold(0);
+  for (int i = 0; i < 20; ++i) {
+    rig.put(1, {x, 0.0, 1.0});
+    rig.put(0, {1.0, 0.0, 1.0});
+    rig.tick();
+  }
+  EXPECT_TRUE(rig.known(0));
+  EXPECT_NEAR(rig.place(0)[0], x, 1e-3);
+  EXPECT_NEAR(rig.place(1)[0], 1.0, 2e-3);
+  EXPECT_EQ(rig.estimator.counters().id_swaps, 1U);
 }
 
 TEST(SwapOfMany, IsAFrameThatMovedAndNotLookedInto) {

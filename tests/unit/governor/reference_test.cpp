@@ -172,7 +172,47 @@ TEST(Tracking, OneThatIsMeasuredElsewhereClaimsBothPlaces) {
   EXPECT_FALSE(rig.symptoms[0].has(Symptom::kTrackingError));
 }
 
+TEST(Tracking, WhoIsBetweenTheTwoPlacesComesToNeither) {
+  for (const float towards : {-1.0F, 1.0F}) {
+    Rig rig(with_tube(2, 0.05F));
+    rig.place(1, {0.6F, 0.02F, 0}, {0, 0, 0});
+    rig.tick();
+    rig.place(0, {1.2F, 0, 0}, {0, 0, 0});
+    rig.anew = {1, 0};
+    rig.tick({0, 0, 0});
+    rig.anew = {0, 0};
+    rig.desire(1, {towards, 0, 0});
+    for (int n = 0; n < 400; ++n) {
+      rig.fly(1);
+      rig.tick({0, 0, 0});
+    }
+    EXPECT_GT(rig.governor.reference(1).body.x, 0.299) << "0.3 m apart";
+    EXPECT_LT(rig.governor.reference(1).body.x, 0.901);
+    rig.desire(1, {0, 1, 0});
+    for (int n = 0; n < 100; ++n) {
+      rig.fly(1);
+      rig.tick({0, 0, 0});
+    }
+    EXPECT_GT(rig.governor.reference(1).body.y, 0.3) << "it may leave";
+  }
+}
+
 // What its firmware does is not ours: the way down must be free, and stays so.
+TEST(Landing, WhoIsInItsColumnDoesNotRiseToIt) {
+  Rig rig(with_tube(2, 0.05F));
+  rig.place(0, {0, 0, 1}, {0, 0, 0});
+  rig.place(1, {0.2F, 0, 0.3F}, {0, 0, 0});
+  rig.tick();
+  rig.authority[0] = Authority::kLanding;
+  rig.desire(1, {0.02F, 0, 1});
+  for (int n = 0; n < 400; ++n) {
+    rig.fly(1);
+    rig.tick({0, 0, 0});
+    ASSERT_EQ(rig.kind[0], CommandKind::kHold);
+  }
+  EXPECT_GT(glm::distance(rig.governor.reference(1).body, glm::dvec3(0, 0, 1)), 0.299);
+}
+
 TEST(Landing, BeginsOnceItsColumnIsFreeAndKeepsItFree) {
   Rig rig(with_tube(2, 0.05F));
   rig.place(0, {0, 0, 1}, {0, 0, 0});
