@@ -72,6 +72,12 @@ TEST(GovernorReasons, AStateThatIsNotFiniteIsInvalid) {
     rig.tick({0.01F, 0, 0});
     EXPECT_EQ(rig.kind[0], CommandKind::kHold);
     EXPECT_EQ(rig.count(GovernorReason::kUnknown), 1U);
+    Rig seen = cruising(0.0F);  // and no less so once it has a reference
+    seen.tick({0.01F, 0, 0});
+    std::vector<float>* later[] = {&seen.x, &seen.y, &seen.z, &seen.vx, &seen.vy, &seen.vz};
+    (*later[field])[0] = field % 2 == 0 ? kNan : kInfinity;
+    EXPECT_EQ(seen.tick({0.01F, 0, 0}), glm::vec3(0.0F)) << field;
+    EXPECT_EQ(seen.count(GovernorReason::kUnknown), 1U) << field;
   }
 }
 
@@ -351,6 +357,9 @@ TEST(GovernorConfig, ContradictionsAreRefused) {
   }));
   float nothing = 0.0F;
   EXPECT_TRUE(refused([&](auto& c) { c.obstacles.sampled = {&nothing, Grid{}}; }));
+  EXPECT_TRUE(refused([&](auto& c) {
+    c.obstacles.sampled = {&nothing, Grid{glm::vec3(0.0F), 0.0F, {1, 1, 1}}};
+  }));
   for (const glm::ivec3 cells : {glm::ivec3(0, 1, 1), glm::ivec3(1, 0, 1), glm::ivec3(1, 1, 0)}) {
     EXPECT_TRUE(refused([&](auto& c) {
       c.obstacles.sampled = {&nothing, Grid{glm::vec3(0.0F), 1.0F, cells}};

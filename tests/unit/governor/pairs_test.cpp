@@ -1,4 +1,6 @@
 // Two robots: when one stands in another's way, and what those may do that nobody governs.
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "tests/unit/governor/rig.hpp"
@@ -71,6 +73,40 @@ TEST(GovernorPairs, TheTooNearMayOnlyMoveApart) {
   EXPECT_EQ(rig.command(0), glm::vec3(-0.04F, 0, 0));
   EXPECT_TRUE(rig.symptoms[0].has(Symptom::kTooNear));
   EXPECT_EQ(rig.count(GovernorReason::kNeighbour), 1U);
+}
+
+// 0.3 m above counts as 0.1 m: apart is what leads away as it is measured so.
+TEST(GovernorPairs, ApartIsWhereTheDownwashSaysSo) {
+  for (const float sign : {1.0F, -1.0F}) {
+    GovernorConfig config = default_config(2);
+    config.groups[0].limits.downwash = 3.0F;
+    Rig rig(config);
+    rig.place(1, {0.1F, 0, 0.3F}, {0, 0, 0});
+    const glm::vec3 wish = sign * glm::vec3(-0.02F, 0, 0.03F);
+    rig.desire(0, wish);
+    rig.tick();
+    EXPECT_EQ(rig.command(0), sign > 0.0F ? wish : glm::vec3(0.0F));
+  }
+}
+
+// There is room for one of the two: who has it changes with the tick.
+TEST(GovernorPairs, WhoComesFirstIsAnotherEachTick) {
+  std::array<int, 2> first{};
+  for (int before = 0; before < 2; ++before) {
+    Rig rig(default_config(2));
+    rig.place(1, {0.2012F, 0, 0}, {0, 0, 0});
+    for (int n = 0; n < before; ++n) {
+      rig.tick({0, 0, 0});
+    }
+    rig.desire(1, {-0.04F, 0, 0});
+    rig.tick({0.04F, 0, 0});
+    EXPECT_EQ(rig.count(GovernorReason::kNeighbour), 1U);
+    first[0] += rig.ox[0] == 0.04F ? 1 : 0;
+    first[1] += rig.ox[1] == -0.04F ? 1 : 0;
+    EXPECT_FLOAT_EQ(std::min(rig.ox[0], -rig.ox[1]), 0.02F) << "for half of it there is";
+  }
+  EXPECT_EQ(first[0], 1);
+  EXPECT_EQ(first[1], 1);
 }
 
 TEST(GovernorPairs, WhereTwoReservationsMeetTheirPlacesTellTheWayApart) {
@@ -208,6 +244,31 @@ TEST(GovernorPairs, AForeignRobotIsABallThatGrowsWhileItIsNotSeen) {
   rig.known[1] = 1;
   rig.tick();
   EXPECT_FALSE(rig.symptoms[0].has(Symptom::kTooNear));
+}
+
+// It goes on while the other comes to rest: at 4 m/s² for 0.26 s, 0.135 m.
+TEST(GovernorPairs, AForeignRobotMovesWhileOursBrakes) {
+  for (const float gap : {0.13F, 0.14F}) {
+    Meeting meeting(gap);
+    meeting.rig.authority[1] = Authority::kForeign;
+    meeting.rig.tick();
+    EXPECT_EQ(meeting.rig.count(GovernorReason::kNeighbour), gap < 0.135F ? 1U : 0U);
+  }
+}
+
+// It may begin to fly at any time: in 0.41 s at 4 m/s² it gets 0.336 m far.
+TEST(GovernorPairs, AForeignRobotThatStandsMayAccelerate) {
+  for (const float away : {0.52F, 0.55F}) {
+    Rig rig(default_config(2));
+    rig.place(1, {away, 0, 0}, {0, 0, 0});
+    rig.authority[1] = Authority::kForeign;
+    rig.tick({0, 0, 0});
+    rig.known[1] = 0;
+    for (int i = 0; i < 40; ++i) {
+      rig.tick({0, 0, 0});
+    }
+    EXPECT_EQ(rig.symptoms[0].has(Symptom::kTooNear), away < 0.53F);
+  }
 }
 
 }  // namespace

@@ -54,6 +54,23 @@ TEST(Reference, WithALatencyThePlacesOfTheLastTicksCount) {
   EXPECT_NEAR(length3(reference.way_to({0.15, 1, 0})), 0.0, 1e-12);
 }
 
+TEST(Reference, TheTailOfALagBeginsWhereItsBodyWas) {
+  const ReferenceModel model{kNever, 0.1};
+  Reference reference(2);
+  reference.adopt({0, 0, 0}, {0, 0, 0}, model);
+  std::array<glm::dvec3, 4> bodies{};
+  for (glm::dvec3& body : bodies) {
+    reference.advance({1, 0, 0}, 0.1, model);
+    body = reference.body();
+  }
+  Hull tail;
+  reference.add_tail(tail, model);
+  ASSERT_EQ(tail.points().size(), 3U);
+  EXPECT_EQ(tail.points()[0], bodies[1]);
+  EXPECT_NEAR(tail.points()[1].x, 0.2, 1e-12);
+  EXPECT_NEAR(tail.points()[2].x, 0.3, 1e-12);
+}
+
 GovernorConfig with_tube(std::size_t agents, float tube) {
   GovernorConfig config = default_config(agents);
   config.groups[0].limits.tube = tube;
@@ -87,6 +104,16 @@ TEST(Tracking, BeyondHalfTheTubeTheReferenceIsMoved) {
   rig.place(0, {1.0F, 0, 0}, {0, 0, 0});  // no faster than it could have flown: 0.02 m a tick
   rig.tick({0, 0, 0});
   EXPECT_NEAR(rig.governor.reference(0).body.x, 0.025, 1e-6);
+}
+
+TEST(Tracking, WithinTheTubeTooItIsMovedNoFasterThanItFlies) {
+  for (const float tube : {0.0F, 0.2F}) {
+    Rig rig(with_tube(1, tube));
+    rig.tick({0, 0, 0});
+    rig.place(0, {0.15F, 0, 0}, {0, 0, 0});
+    rig.tick({0, 0, 0});
+    EXPECT_NEAR(rig.governor.reference(0).body.x, 0.02, 1e-6);
+  }
 }
 
 TEST(Tracking, AReferenceIsOnlyMovedToWhereItIsFree) {
@@ -195,6 +222,47 @@ TEST(Tracking, WhoIsBetweenTheTwoPlacesComesToNeither) {
     }
     EXPECT_GT(rig.governor.reference(1).body.y, 0.3) << "it may leave";
   }
+}
+
+TEST(Tracking, OneThatIsMeasuredElsewhereClaimsBothPlacesWhileItFlies) {
+  Rig rig(with_tube(2, 0.05F));
+  rig.place(1, {0, 2.2F, 0}, {0, 0, 0});
+  rig.tick();
+  rig.place(0, {0, 2, 0}, {0, 0, 0});
+  rig.anew = {1, 0};
+  for (int n = 0; n < 4; ++n) {
+    rig.tick({0, -1, 0});
+    EXPECT_LT(rig.command(0).y, 0.0F);
+    EXPECT_TRUE(rig.symptoms[1].has(Symptom::kTooNear)) << n;
+    rig.anew = {0, 0};
+  }
+}
+
+// 5 m/s for the 10 ms in which a robot at rest can do nothing.
+TEST(Tracking, OneThatDoesNotGoWhereItIsToldIsLikeOneThatIsNotOurs) {
+  for (const float speed : {0.0F, 5.0F}) {
+    Rig rig(with_tube(2, 0.05F));
+    rig.place(1, {0, 0.95F + 0.33F, 0}, {0, 0, 0});
+    rig.tick();
+    rig.place(0, {0, 1, 0}, {0, speed, 0});
+    rig.anew = {1, 0};
+    rig.tick({0, 0, 0});
+    EXPECT_TRUE(rig.symptoms[0].has(Symptom::kTrackingError));
+    EXPECT_EQ(rig.symptoms[1].has(Symptom::kTooNear), speed > 0.0F);
+  }
+}
+
+TEST(Tracking, AfterARefusedCallAReferenceIsTakenAnew) {
+  Rig rig(with_tube(1, 0.05F));
+  rig.tick({0, 0, 0});
+  rig.known.clear();
+  rig.tick({0, 0, 0});
+  EXPECT_FALSE(rig.governor.reference(0).known);
+  rig.known = {1};
+  rig.place(0, {1, 0, 0}, {0, 0, 0});
+  rig.tick({0, 0, 0});
+  EXPECT_NEAR(rig.governor.reference(0).body.x, 1.0, 1e-6);
+  EXPECT_TRUE(rig.symptoms[0].empty());
 }
 
 // What its firmware does is not ours: the way down must be free, and stays so.

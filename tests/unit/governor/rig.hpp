@@ -44,7 +44,7 @@ class Rig {
   }
   void desire(std::size_t i, glm::vec3 w) { wx[i] = w.x, wy[i] = w.y, wz[i] = w.z; }
   glm::vec3 command(std::size_t i) const { return {ox[i], oy[i], oz[i]}; }
-  GovernorState state() const { return {x, y, z, vx, vy, vz, known, authority, measured, anew}; }
+  GovernorState state() const { return {x, y, z, vx, vy, vz, known, authority, measured, anew, kept_clear}; }
   void tick() { governor.govern(now, state(), {wx, wy, wz}, {kind, ox, oy, oz, symptoms}); }
   // Moves an agent to where its command takes it by the next tick.
   void fly(std::size_t i) {
@@ -71,6 +71,7 @@ class Rig {
   std::vector<float> wx, wy, wz, ox, oy, oz;
   std::vector<std::uint8_t> known, measured, anew;  // the last two may stay empty
   std::vector<Authority> authority;
+  std::vector<KeptClear> kept_clear;
   std::vector<Symptoms> symptoms;
   std::vector<CommandKind> kind;
 };

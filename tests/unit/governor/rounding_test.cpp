@@ -7,8 +7,10 @@
 #include <random>
 
 #include "controller/governor/capsule.hpp"
+#include "controller/governor/group_model.hpp"
 #include "controller/governor/margins.hpp"
 #include "controller/governor/reservation.hpp"
+#include "tests/unit/governor/rig.hpp"
 
 namespace mayfly::governor_test {
 namespace {
@@ -119,6 +121,21 @@ TEST(Rounding, TheArcIsWhatThePhysicsSays) {
   GovernorLimits limits;
   limits.acceleration = 8.0F;
   EXPECT_DOUBLE_EQ(arc_height(limits, 0.1), 0.01);
+}
+
+// The smallest of them is 1e-13 m: no flight would miss it.
+TEST(Rounding, EveryMarginIsKeptAroundAReservation) {
+  GovernorConfig config = default_config(1);
+  GovernorLimits& limits = config.groups[0].limits;
+  limits.radius = 0.125F;
+  limits.tube = 0.25F;
+  limits.watchdog = 0.1F;
+  const GroupModel group = make_group_model(config.groups[0], config);
+  const double margins = arc_height(limits, 0.01) + pose_rounding(10.0) + braking_rounding(limits, 0.01) +
+                         geometry_rounding(10.0 + group.usual_reach());
+  EXPECT_NEAR(group.kept - 0.375, margins, 1e-15);
+  EXPECT_NEAR(group.clearance.hard, group.kept, 0.0);
+  EXPECT_NEAR(group.clearance.slack, 0.0125 + 0.625 * 0.01 * 0.04, 1e-15) << "a tenth of the body, the chord";
 }
 
 }  // namespace
