@@ -47,6 +47,21 @@ TEST(Authority, WhoGoesIsMindedNoLongerAndComesBackWhereItIsSeen) {
   EXPECT_NEAR(rig.governor.reference(1).body.x, 5.0, 1e-6);
 }
 
+TEST(Authority, WhoWasTakenAwayWhileItCoastedBeginsAnew) {
+  Rig rig(with_life(1, 0.0F));
+  rig.place(0, {0, 0, 0}, {1, 0, 0});
+  rig.tick({1, 0, 0});
+  rig.now += 31ms;
+  rig.tick({1, 0, 0});
+  ASSERT_EQ(rig.kind[0], CommandKind::kHold);
+  rig.authority[0] = Authority::kAbsent;
+  rig.tick({1, 0, 0});
+  rig.authority[0] = Authority::kGoverned;
+  rig.place(0, {5, 0, 0}, {0, 0, 0});
+  EXPECT_NEAR(rig.tick({1, 0, 0}).x, 0.04, 1e-6);
+  EXPECT_NEAR(rig.governor.reference(0).body.x, 5.0, 1e-6);
+}
+
 TEST(Authority, WhoIsSilentFromTheStartHasNoClaim) {
   Rig rig(default_config(2));
   rig.known[1] = 0;
