@@ -52,6 +52,7 @@ TEST(Reference, SummaryPageHasEveryKeyOfTheFile) {
   Summary summary;
   summary.faults.emplace_back();
   summary.expect.emplace_back();
+  summary.safety.breaches.emplace();
   for (std::size_t i = 0; i < kInvariants; ++i) {
     summary.safety.invariants.emplace_back(key_of(static_cast<Invariant>(i)), 0);
   }
