@@ -82,6 +82,20 @@ TEST(Clearance, TheWayOutDoesNotLeadThroughTheObstacle) {
   }
 }
 
+// Where there is room for a proof, nothing else will do.
+TEST(Clearance, WhoIsFarFromAnObstacleDoesNotLeaveIt) {
+  const float nothing = 0.0F;
+  ObstacleView obstacles{.sampled = {&nothing, Grid{{-1, -1, -1}, 2.0F, {1, 1, 1}}}};
+  obstacles.exact = [](glm::vec3 p) { return std::fabs(p.x); };
+  for (const double from : {0.21, 0.23}) {
+    Hull hull;
+    for (std::size_t n = 0; n < kCommandPoints; ++n) {
+      hull.add({n == 0 ? from : 1.0, 0, 0});
+    }
+    EXPECT_EQ(leaves_obstacle(hull, {from, 0, 0}, 0.0, obstacles, {0.2, 0.01}), from < 0.22);
+  }
+}
+
 TEST(Clearance, AlongAnObstacleIsNotAwayFromIt) {
   const float nothing = 0.0F;
   ObstacleView obstacles{.sampled = {&nothing, Grid{{-1, -1, -1}, 2.0F, {1, 1, 1}}}};

@@ -358,6 +358,16 @@ TEST(Late, ARobotFliesOnUntilTheNextTickComes) {
   EXPECT_EQ(rig.governor.counters().skipped_ticks, 2U);
 }
 
+TEST(Late, AClockThatGoesBackwardsIsOneTick) {
+  Rig rig(with_life(1, 40ms));
+  rig.place(0, {0, 0, 0}, {1, 0, 0});
+  rig.tick({1, 0, 0});
+  rig.measured = {0};
+  rig.now -= 1s;
+  rig.tick({1, 0, 0});
+  EXPECT_NEAR(rig.governor.reference(0).body.x, 0.01, 1e-9);
+}
+
 TEST(Late, ATickThatComesEarlyChangesLess) {
   Rig rig(default_config(1));
   rig.tick({0, 0, 0});
