@@ -4,11 +4,13 @@
 
 #include <chrono>
 #include <cstdio>
+#include <utility>
 
 #include "app/exit_code.hpp"
 #include "app/log.hpp"
 #include "app/progress_line.hpp"
 #include "controller/flight/placement.hpp"
+#include "controller/flight/start_check.hpp"
 #include "controller/flight/world.hpp"
 #include "controller/scenario/load.hpp"
 #include "record/grouped_digits.hpp"
@@ -39,6 +41,9 @@ std::vector<Error> check_one(const std::filesystem::path& file, const CheckOptio
   const auto positions = place_agents(*scenario, *world);
   if (!positions) {
     return positions.error();
+  }
+  if (auto safe = check_start(*scenario, *world, *positions); !safe) {
+    return {std::move(safe.error())};
   }
   fmt::print("{}: ok ({} agent{}, {} cells, {} triangles; fields {:.2f} s)\n", scenario->name,
              record::grouped_digits(positions->size(), " "), positions->size() == 1 ? "" : "s",

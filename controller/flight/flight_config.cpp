@@ -59,6 +59,8 @@ GovernorConfig governor_config(const Scenario& scenario, const World& world, con
     group.limits.latency = static_cast<int>(std::ceil(swarm.limits.latency * scenario.control.rate - 1e-3F));
     group.separation = swarm.limits.separation;
     group.limits.radius = swarm.radius;
+    // With the HAL's delay, though the estimator predicts over it: what is kept reaches farther back then,
+    // and so holds a robot whose poses are later than they should be.
     group.limits.response_time = response_time(scenario, swarm);
     group.limits.follows = follows(scenario, swarm);
     config.groups.push_back(group);

@@ -1,5 +1,7 @@
 #include "controller/flight/placement.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -8,7 +10,10 @@
 #include <string>
 #include <tuple>
 
+#include "controller/flight/flight_config.hpp"
+#include "controller/flight/motion.hpp"
 #include "controller/flight/scatter.hpp"
+#include "controller/governor/group_model.hpp"
 
 namespace mayfly {
 namespace {
@@ -18,13 +23,40 @@ constexpr std::uint32_t kMostTries = 20'000;
 // Keeps these draws apart from every other use of the seed.
 constexpr std::uint32_t kPlacementStream = 0x91ACE000U;
 
+// What one agent keeps from others, m.
+struct Room {
+  float to_obstacles = 0.0F;
+  float half_separation = 0.0F;  // both halves add up
+  bool governed = false;
+};
+
+// As its planner wants it, and at least as the governor does: chance must not decide whether a start is safe.
+std::vector<Room> rooms_of(const Scenario& scenario, const World& world) {
+  const Motion motion(scenario);
+  const GovernorConfig config = governor_config(scenario, world, motion);
+  std::vector<Room> rooms;
+  for (std::size_t s = 0; s < scenario.swarms.size(); ++s) {
+    const SwarmSpec& swarm = scenario.swarms[s];
+    Room room{swarm.radius, 0.5F * swarm.limits.separation, swarm.governor};
+    if (swarm.governor) {
+      const auto kept = static_cast<float>(make_group_model(config.groups[s], config).kept * (1.0 + 1e-6));
+      room.to_obstacles = std::max(room.to_obstacles, kept);
+      room.half_separation = std::max(room.half_separation, kept);
+    }
+    rooms.push_back(room);
+  }
+  return rooms;
+}
+
 // Why tries were turned down; the largest number names the error.
 struct Refusals {
   std::uint32_t obstacle = 0, unreachable = 0, crowded = 0;
 
-  std::string worst() const {
+  std::string worst(const Room& room) const {
     if (obstacle >= unreachable && obstacle >= crowded) {
-      return "the region lies inside obstacles, or nearer to them than the body's radius";
+      return fmt::format("the region lies inside obstacles, or nearer to them than {:.4g} m{}",
+                         room.to_obstacles,
+                         room.governed ? ", radius + tube + rounding" : ", the body's radius");
     }
     return unreachable >= crowded ? "no free path leads from the region to the goal"
                                   : "the agents do not fit at their separation";
@@ -47,11 +79,10 @@ bool is_inside(const fields::Shape& shape, glm::vec3 p) {
 }
 
 // Places one swarm; an error where the region is full before all have a place.
-Result<void> place_swarm(const Scenario& scenario, const World& world, std::uint32_t index, Taken& taken,
-                         std::vector<glm::vec3>& places) {
+Result<void> place_swarm(const Scenario& scenario, const World& world, std::uint32_t index, const Room& room,
+                         Taken& taken, std::vector<glm::vec3>& places) {
   const SwarmSpec& swarm = scenario.swarms[index];
   const Box box = bounds_of(swarm.start);
-  const float half_separation = 0.5F * swarm.limits.separation;
   for (int agent = 0; agent < swarm.count; ++agent) {
     Refusals refusals;
     bool placed = false;
@@ -62,14 +93,14 @@ Result<void> place_swarm(const Scenario& scenario, const World& world, std::uint
       if (!is_inside(swarm.start, p)) {
         continue;
       }
-      if (distance_at_start(world, p) < swarm.radius) {
+      if (distance_at_start(world, p) < room.to_obstacles) {
         ++refusals.obstacle;
       } else if (world.costs[index] && !world.costs[index]->reaches(p)) {
         ++refusals.unreachable;
-      } else if (!taken.is_free(p, half_separation)) {
+      } else if (!taken.is_free(p, room.half_separation)) {
         ++refusals.crowded;
       } else {
-        taken.take(p, half_separation);
+        taken.take(p, room.half_separation);
         places.push_back(p);
         placed = true;
       }
@@ -77,7 +108,7 @@ Result<void> place_swarm(const Scenario& scenario, const World& world, std::uint
     if (!placed) {
       Error error;
       error.message = "swarm '" + swarm.name + "': no place for agent " + std::to_string(agent + 1) + " of " +
-                      std::to_string(swarm.count) + " in its start region: " + refusals.worst();
+                      std::to_string(swarm.count) + " in its start region: " + refusals.worst(room);
       error.place = swarm.start_place;
       return fail(std::move(error));
     }
@@ -105,16 +136,17 @@ void number_along_rows(std::span<glm::vec3> places, float cell) {
 
 tl::expected<std::vector<glm::vec3>, std::vector<Error>> place_agents(const Scenario& scenario,
                                                                       const World& world) {
+  const std::vector<Room> rooms = rooms_of(scenario, world);
   float widest = 0.0F;
-  for (const SwarmSpec& swarm : scenario.swarms) {
-    widest = std::max(widest, swarm.limits.separation);
+  for (const Room& room : rooms) {
+    widest = std::max(widest, 2.0F * room.half_separation);
   }
   Taken taken(widest);
   std::vector<glm::vec3> places;
   std::vector<Error> errors;
   for (std::uint32_t index = 0; index < scenario.swarms.size(); ++index) {
     const std::size_t first = places.size();
-    if (auto placed = place_swarm(scenario, world, index, taken, places); !placed) {
+    if (auto placed = place_swarm(scenario, world, index, rooms[index], taken, places); !placed) {
       errors.push_back(std::move(placed.error()));
     }
     number_along_rows(std::span(places).subspan(first), 4.0F * world.grid.cell);

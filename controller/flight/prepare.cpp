@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "controller/flight/placement.hpp"
+#include "controller/flight/start_check.hpp"
 
 namespace mayfly {
 
@@ -20,6 +21,9 @@ tl::expected<std::unique_ptr<const Prepared>, std::vector<Error>> prepare(const 
   auto places = place_agents(scenario, *world);
   if (!places) {
     return tl::unexpected(std::move(places.error()));
+  }
+  if (auto safe = check_start(scenario, *world, *places); !safe) {
+    return tl::unexpected(std::vector{std::move(safe.error())});
   }
   // On the heap before anything points into it.
   auto prepared = std::make_unique<Prepared>(Prepared{std::move(*world), std::move(*places), {}});

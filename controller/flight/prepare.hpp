@@ -28,7 +28,8 @@ struct PrepareOptions {
   std::function<void(const Error&)> warn{};
 };
 
-// Builds the fields, places the agents, sets the models up. Errors are those of build_world and place_agents.
+// Builds the fields, places the agents, sets the models up. Errors are those of build_world,
+// place_agents and check_start.
 tl::expected<std::unique_ptr<const Prepared>, std::vector<Error>> prepare(const Scenario& scenario,
                                                                           const PrepareOptions& options);
 

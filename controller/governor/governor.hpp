@@ -4,7 +4,9 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <glm/vec3.hpp>
+#include <string>
 
 #include "controller/governor/fence.hpp"
 #include "controller/governor/fleet.hpp"
@@ -13,6 +15,13 @@
 #include "core/clock.hpp"
 
 namespace mayfly {
+
+// Who is where the promise cannot begin.
+struct NotAdmitted {
+  std::size_t agent = 0;  // the first
+  Error error;
+};
+using AgentName = std::function<std::string(std::size_t)>;
 
 // For ANY desired velocities, every enabled agent that starts inside the safe set keeps |v| ≤ speed, |Δv| ≤
 // acceleration·T, its body inside the fence, out of obstacles and off all other enabled agents' bodies, also
@@ -30,8 +39,9 @@ class Governor {
   static Result<Governor> make(GovernorConfig config);
 
   // Whether the promise may begin here: names the first robot whose place is not known or not free, or the
-  // first two that are too near to each other, with the inequality. Changes nothing; allocates.
-  Result<void> admit(const GovernorState& state) const;
+  // first two that are too near to each other, with the inequality. Changes nothing; allocates. `name`:
+  // what the error calls an agent; "robot 3" where there is none.
+  tl::expected<void, NotAdmitted> admit(const GovernorState& state, const AgentName& name = {}) const;
 
   // One tick, early or late: `now` tells for how long robots have flown with their last commands. Neither
   // allocates nor throws; columns that are too short are refused, and every robot is told to hold.
@@ -76,8 +86,8 @@ class Governor {
   Symptoms symptoms_of(std::size_t i, const Decision& decision) const noexcept;
   void tell(std::size_t i, const Decision& decision, const GovernedColumns& out) noexcept;
 
-  Result<void> admit_robot(std::size_t i);
-  Result<void> admit_pairs(std::size_t i);
+  Result<void> admit_robot(std::size_t i, const AgentName& name);
+  Result<void> admit_pairs(std::size_t i, const AgentName& name);
 
   GovernorConfig config_;
   Fence fence_;

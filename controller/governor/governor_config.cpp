@@ -61,7 +61,7 @@ Result<void> check_separation(const GovernorGroup& group) {
   if (group.separation <= 0.0F) {
     return {};
   }
-  if (group.separation < least) {
+  if (group.separation < least * (1.0F - 1e-6F)) {  // sums of decimal fractions are rounded
     return refuse(
         "the separation is below what the governor keeps",
         fmt::format("separation = {:g} m", group.separation),

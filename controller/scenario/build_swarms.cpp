@@ -166,6 +166,29 @@ void check_governed(const Values& values, const SwarmSpec& swarm, float rate, Fi
   }
 }
 
+// So many standard deviations of the noise are a tube that is hardly ever left.
+constexpr float kNoiseTubes = 5.0F;
+
+void check_tube(const Values& values, const SwarmSpec& swarm, const std::vector<HalSpec>& hals,
+                Findings& findings) {
+  const auto hal =
+      std::find_if(hals.begin(), hals.end(), [&](const HalSpec& spec) { return spec.name == swarm.robots; });
+  if (!swarm.governor || hal == hals.end()) {
+    return;
+  }
+  const float wanted = kNoiseTubes * hal->sim.pose_noise;
+  if (swarm.limits.tube < wanted * (1.0F - 1e-6F)) {
+    findings.warn(
+        values.has("limits") ? values.map("limits").mark("tube") : values.mark("name"),
+        fmt::format(
+            "swarm '{}': limits.tube is {:g} m, but poses are noisy by {:g} m: {}; wanted >= "
+            "{:g} · pose_noise = {:g} m",
+            swarm.name, swarm.limits.tube, hal->sim.pose_noise,
+            swarm.limits.tube > 0.0F ? "they leave it by chance" : "nothing is promised of the difference",
+            kNoiseTubes, wanted));
+  }
+}
+
 std::string build_robots(const Values& values, const std::vector<std::string>& hals, Findings& findings) {
   if (values.has("robots")) {
     find_named(values, "robots", hals, "HAL", findings);
@@ -219,6 +242,7 @@ SwarmSpec build_swarm(const Values& values, const Scenario& scenario, const File
   swarm.mde_sweeps = static_cast<int>(values.integer("mde_sweeps"));
   swarm.governor = values.flag("governor");
   swarm.robots = build_robots(values, names_of(scenario.hals), findings);
+  check_tube(values, swarm, scenario.hals, findings);
   swarm.start_place = values.mark("start").place();
   swarm.goal_place = values.mark("goal").place();
   build_models(values, swarm, findings);

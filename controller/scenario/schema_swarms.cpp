@@ -165,7 +165,9 @@ void add_governor_rows(Rows& rows, const std::string& path) {
                   .fallback = "0",
                   .text =
                       "How long a robot flies on when it hears nothing, before it brakes by itself: room is "
-                      "kept for that. At most what it flies over a separation in."});
+                      "kept for that. At most what it flies over a separation in. A command lives for 2.5 "
+                      "control periods, so room for 1.5 of them is kept in any case: only a robot whose own "
+                      "watchdog takes longer needs this."});
   rows.push_back({.path = path + ".downwash",
                   .type = KeyType::kNumber,
                   .min = 1.0,

@@ -90,8 +90,11 @@ TEST(GovernorFence, AHalfSpaceIsKept) {
 
 std::string not_admitted(const Rig& rig) {
   const auto admitted = rig.governor.admit(rig.state());
-  return admitted ? ""
-                  : admitted.error().message + ": " + admitted.error().found + ", " + admitted.error().wanted;
+  if (admitted) {
+    return "";
+  }
+  const Error& error = admitted.error().error;
+  return error.message + ": " + error.found + ", " + error.wanted;
 }
 
 TEST(Admission, ASafeStartIsAdmitted) {
@@ -107,9 +110,14 @@ TEST(Admission, TheFirstPairThatIsTooNearIsNamed) {
   rig.place(1, {2, 0, 0}, {0, 0, 0});
   rig.place(2, {4, 0, 0}, {0, 0, 0});
   rig.place(3, {2.15F, 0, 0}, {0, 0, 0});
-  EXPECT_THAT(not_admitted(rig), HasSubstr("robots 1 and 3 start too near"));
+  EXPECT_THAT(not_admitted(rig), HasSubstr("robot 1 and robot 3 start too near"));
   EXPECT_THAT(not_admitted(rig), HasSubstr("0.1500 m"));
   EXPECT_THAT(not_admitted(rig), HasSubstr("= 0.200"));
+  const auto named =
+      rig.governor.admit(rig.state(), [](std::size_t agent) { return "flies_" + std::to_string(agent); });
+  ASSERT_FALSE(named);
+  EXPECT_EQ(named.error().agent, 1U);
+  EXPECT_EQ(named.error().error.message, "flies_1 and flies_3 start too near to each other");
   rig.authority[3] = Authority::kAbsent;
   EXPECT_EQ(not_admitted(rig), "");
 }

@@ -174,6 +174,22 @@ TEST(Hals, PlantRateFollowsControl) {
   EXPECT_THAT(test::all_text(odd->warnings), HasSubstr("no multiple of control.rate"));
 }
 
+TEST(Hals, ATubeBelowTheNoiseIsWarnedOf) {
+  const auto warnings_with = [](const std::string& swarm, const std::string& hal) {
+    std::string text = changed("{kind: sim}", "{kind: sim, " + hal + "}");
+    text.replace(text.find("count: 10"), 9, "count: 10\n    " + swarm);
+    const auto result = test::load_text(text);
+    return result ? test::all_text(result->warnings) : test::all_text(result.error());
+  };
+  EXPECT_THAT(warnings_with("radius: 0.1", "pose_noise: 0.01"),
+              HasSubstr("limits.tube is 0 m, but poses are noisy by 0.01 m: nothing is promised of the "
+                        "difference; wanted >= 5 · pose_noise = 0.05 m"));
+  EXPECT_THAT(warnings_with("limits: {tube: 0.049}", "pose_noise: 0.01"), HasSubstr("leave it by chance"));
+  EXPECT_EQ(warnings_with("limits: {tube: 0.05}", "pose_noise: 0.01"), "");
+  EXPECT_EQ(warnings_with("governor: off", "pose_noise: 0.01"), "");
+  EXPECT_EQ(warnings_with("radius: 0.1", "pose_noise: 0"), "");
+}
+
 TEST(Agents, OfAllSwarmsTogetherAreCapped) {
   std::string text = changed("radius: 2", "radius: 3.9");
   text.replace(text.find("count: 10"), 9, "count: 1500000\n    limits: {separation: 0}");
