@@ -25,11 +25,11 @@ class TwinTruth final : public GroundTruth {
   const TwinHal& twins_;
 };
 
-// s, for which a robot goes on as it was before it brakes.
-float response_time(const Scenario& scenario, const SwarmSpec& swarm) {
+// s: the time constant of robots that follow their commands as a lag; 0 of the others.
+float plant_lag(const Scenario& scenario, const SwarmSpec& swarm) {
   const auto hal = std::find_if(scenario.hals.begin(), scenario.hals.end(),
                                 [&](const HalSpec& spec) { return spec.name == swarm.robots; });
-  return swarm.limits.latency + (hal->sim.plant == PlantKind::kVelocityLag ? hal->sim.time_constant : 0.0F);
+  return hal->sim.plant == PlantKind::kVelocityLag ? hal->sim.time_constant : 0.0F;
 }
 
 }  // namespace
@@ -43,9 +43,10 @@ void add_twins(const Scenario& scenario, Robots& robots) {
   std::vector<float> response;
   for (const SwarmSpec& swarm : scenario.swarms) {
     const auto count = static_cast<std::size_t>(swarm.count);
-    config.robots.insert(config.robots.end(), count, {swarm.limits.speed, swarm.limits.acceleration});
+    config.robots.insert(config.robots.end(), count,
+                         {swarm.limits.speed, swarm.limits.acceleration, plant_lag(scenario, swarm)});
     braking.insert(braking.end(), count, swarm.limits.braking);
-    response.insert(response.end(), count, response_time(scenario, swarm));
+    response.insert(response.end(), count, swarm.limits.latency + plant_lag(scenario, swarm));
   }
   std::vector<TwinSpell> spells;
   for (const TwinSpec& twin : scenario.twins) {

@@ -7,7 +7,8 @@
 namespace mayfly {
 namespace {
 
-constexpr float kAbsurdShare = 2.0F;  // of what a robot can do
+// Of what a robot can do. Models that move agents apart at once wish for some ten times that.
+constexpr float kAbsurdShare = 100.0F;
 
 }  // namespace
 

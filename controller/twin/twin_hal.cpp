@@ -27,9 +27,12 @@ Result<void> refuse(const std::string& what, std::string found, std::string want
 Result<void> check(const TwinConfig& config) {
   for (std::size_t r = 0; r < config.robots.size(); ++r) {
     const TwinLimits& limits = config.robots[r];
-    if (!is_positive(limits.speed) || !is_positive(limits.acceleration)) {
-      return refuse(fmt::format("limits of robot {}", r),
-                    fmt::format("{} m/s and {} m/s²", limits.speed, limits.acceleration), "above 0, finite");
+    const bool lags = std::isfinite(limits.response_time) && limits.response_time >= 0.0F;
+    if (!is_positive(limits.speed) || !is_positive(limits.acceleration) || !lags) {
+      return refuse(
+          fmt::format("limits of robot {}", r),
+          fmt::format("{} m/s, {} m/s² and {} s", limits.speed, limits.acceleration, limits.response_time),
+          "above 0, finite; s may be 0");
     }
   }
   if (!is_positive(config.most_distance) || !is_positive(config.most_speed) || config.most_age <= Time{0}) {

@@ -16,6 +16,7 @@ namespace mayfly {
 struct TwinLimits {            // one a robot
   float speed = 3.0F;          // m/s
   float acceleration = 20.0F;  // m/s²
+  float response_time = 0.0F;  // s: where it follows as a first-order lag, as its robot does; 0: at once
 };
 
 struct TwinConfig {
@@ -58,9 +59,9 @@ struct RealPose {
 };
 
 // Stands before a HAL, and is one. A twin starts where its robot is, at the velocity at which its commands
-// have it, and follows its commands within the acceleration limit, as the governor's reference does: v⁺ is
-// the command, or as near to it as a·T allows, and p⁺ = p + T(v + v⁺)/2. Without a valid command it brakes
-// and holds.
+// have it, and follows its commands as the governor's reference does, so that it stays in its robot's tube:
+// v⁺ is the command, or as near to it as a·T allows, and p⁺ = p + T(v + v⁺)/2; or dv/dt = (command − v)/τ
+// where its robot is a lag. Without a valid command it brakes and holds.
 //
 // Nobody sees a robot whose twin flies: let it land, or keep clear of real_pose().
 class TwinHal final : public Hal {

@@ -1,6 +1,7 @@
 #include "controller/twin/twins.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace mayfly {
@@ -70,6 +71,13 @@ void TwinHal::Twins::pass(double seconds, bool commanded) noexcept {
   for (std::size_t r = 0; r < robots_.size(); ++r) {
     Robot& robot = robots_[r];
     const Vector wanted = commanded ? robot.wanted : Vector(Vector::Zero());
+    const double lag = config_.robots[r].response_time;
+    if (lag > 0.0) {
+      const Vector behind = (wanted - robot.velocity) * std::exp(-seconds / lag);
+      robot.place += seconds * wanted - lag * (wanted - robot.velocity - behind);
+      robot.velocity = wanted - behind;
+      continue;
+    }
     const Vector change =
         limited(wanted - robot.velocity, static_cast<double>(config_.robots[r].acceleration) * seconds);
     robot.place += seconds * (robot.velocity + 0.5 * change);

@@ -113,6 +113,30 @@ TEST(Twin, OthersAreNotAffected) {
   }
 }
 
+// dv/dt = (w − v)/τ, in steps a thousand times as small.
+TEST(Twin, LagsWhereItsRobotDoes) {
+  constexpr double kLag = 0.1;
+  TwinConfig config = config_of(1);
+  config.robots[0].response_time = static_cast<float>(kLag);
+  Flight flight(1, config);
+  flight.fly(2);
+  ASSERT_TRUE(flight.hal.take_out(0));
+  flight.fly(1);
+  double p = static_cast<double>(flight.states.x[0]), v = 0.0;
+  for (const float wish : {1.0F, -1.0F, 0.3F}) {
+    flight.commands.vx[0] = wish;
+    for (int i = 0; i < 15; ++i) {
+      flight.tick();
+      EXPECT_NEAR(flight.states.x[0], p, 1e-4);
+      EXPECT_NEAR(flight.states.vx[0], v, 1e-4);
+      for (int step = 0; step < 1000; ++step) {
+        p += 1e-3 * kSeconds * v;
+        v += 1e-3 * kSeconds / kLag * (static_cast<double>(wish) - v);
+      }
+    }
+  }
+}
+
 TEST(Twin, FollowsItsCommandsAsTheGovernorsReferenceDoes) {
   Flight flight(1);
   flight.fly(2);
@@ -445,6 +469,7 @@ INSTANTIATE_TEST_SUITE_P(
         Wrong{"limits of robot 1", "0 m/s", [](TwinConfig& c) { c.robots[1].speed = 0.0F; }},
         Wrong{"limits of robot 0", "inf m/s²",
               [](TwinConfig& c) { c.robots[0].acceleration = std::numeric_limits<float>::infinity(); }},
+        Wrong{"limits of robot 1", "-1 s", [](TwinConfig& c) { c.robots[1].response_time = -1.0F; }},
         Wrong{"put back", "-1 m,", [](TwinConfig& c) { c.most_distance = -1.0F; }},
         Wrong{"put back", "nan m/s", [](TwinConfig& c) { c.most_speed = std::nanf(""); }},
         Wrong{"put back", "0 ns", [](TwinConfig& c) { c.most_age = Time{0}; }},
