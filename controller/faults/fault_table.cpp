@@ -130,6 +130,7 @@ const FaultRow* find_fault(std::string_view name) {
 
 std::vector<std::string> fault_names() {
   std::vector<std::string> names;
+  names.reserve(kRows.size());
   for (const FaultRow& row : kRows) {
     names.emplace_back(row.name);
   }

@@ -131,6 +131,39 @@ void add_answer_rows(Rows& rows, const std::string& at) {
               "The radius of gyration of the run's last tenth by that of the same tick.");
 }
 
+// What the guard makes of the faults that a scenario injects.
+void add_fault_answer_rows(Rows& rows, const std::string& at) {
+  rows.push_back({.path = at + ".noticed",
+                  .type = KeyType::kMap,
+                  .group = "quantity",
+                  .text = "How soon a fault that the scenario injects is reported by its symptom."});
+  rows.push_back({.path = at + ".noticed.fault",
+                  .type = KeyType::kChoice,
+                  .required = true,
+                  .choices = fault_names(),
+                  .text = "Which of `faults`."});
+  add_measure(rows, at + ".noticed.within", "s",
+              "The longest from the begin of such a fault to the first report of one whom it strikes.", 1e6);
+  rows.push_back({.path = at + ".reacted",
+                  .type = KeyType::kMap,
+                  .group = "quantity",
+                  .text = "How soon the guard does something about a fault that the scenario injects."});
+  rows.push_back({.path = at + ".reacted.fault",
+                  .type = KeyType::kChoice,
+                  .required = true,
+                  .choices = fault_names(),
+                  .text = "Which of `faults`."});
+  rows.push_back({.path = at + ".reacted.at_least",
+                  .type = KeyType::kChoice,
+                  .required = true,
+                  .choices = severity_names(),
+                  .text = "What it has to do, or more ([severities](../explanation/guard.md))."});
+  add_measure(rows, at + ".reacted.within", "s",
+              "The longest from the begin of such a fault to the first such reaction that is for one whom it "
+              "strikes, or for everybody.",
+              1e6);
+}
+
 }  // namespace
 
 void add_expect_rows(Rows& rows) {
@@ -184,35 +217,7 @@ void add_expect_rows(Rows& rows) {
   add_motion_rows(rows, at);
   add_order_rows(rows, at);
   add_answer_rows(rows, at);
-  rows.push_back({.path = at + ".noticed",
-                  .type = KeyType::kMap,
-                  .group = "quantity",
-                  .text = "How soon a fault that the scenario injects is reported by its symptom."});
-  rows.push_back({.path = at + ".noticed.fault",
-                  .type = KeyType::kChoice,
-                  .required = true,
-                  .choices = fault_names(),
-                  .text = "Which of `faults`."});
-  add_measure(rows, at + ".noticed.within", "s",
-              "The longest from the begin of such a fault to the first report of one whom it strikes.", 1e6);
-  rows.push_back({.path = at + ".reacted",
-                  .type = KeyType::kMap,
-                  .group = "quantity",
-                  .text = "How soon the guard does something about a fault that the scenario injects."});
-  rows.push_back({.path = at + ".reacted.fault",
-                  .type = KeyType::kChoice,
-                  .required = true,
-                  .choices = fault_names(),
-                  .text = "Which of `faults`."});
-  rows.push_back({.path = at + ".reacted.at_least",
-                  .type = KeyType::kChoice,
-                  .required = true,
-                  .choices = severity_names(),
-                  .text = "What it has to do, or more ([severities](../explanation/guard.md))."});
-  add_measure(rows, at + ".reacted.within", "s",
-              "The longest from the begin of such a fault to the first such reaction that is for one whom it "
-              "strikes, or for everybody.",
-              1e6);
+  add_fault_answer_rows(rows, at);
   quantity("safety_breaches", "", 1e15,
            "Breaches of what the guard promises, by the robots' true places at every plant step and by what "
            "they were told: bodies that touch, bodies outside the fence, commands beyond speed or "

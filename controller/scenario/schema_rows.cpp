@@ -103,40 +103,8 @@ void add_run_rows(Rows& rows) {
                   .text = "Samples a second; at most the control rate."});
 }
 
-void add_hal_rows(Rows& rows) {
-  const std::string at = "hal.*";
-  rows.push_back({.path = "hal",
-                  .type = KeyType::kNamedMap,
-                  .required = true,
-                  .text = "Where robots are, real or simulated, by name."});
-  rows.push_back({.path = at, .type = KeyType::kMap, .text = "One HAL."});
-  rows.push_back({.path = at + ".kind",
-                  .type = KeyType::kChoice,
-                  .required = true,
-                  .choices = {"sim"},
-                  .text = "What it is: `sim` is the simulated HAL."});
-  rows.push_back(
-      {.path = at + ".plant",
-       .type = KeyType::kChoice,
-       .fallback = "ideal",
-       .choices = {"ideal", "velocity_lag", "double_integrator"},
-       .text =
-           "How a simulated robot answers: at once, with a first-order lag, or limited in acceleration."});
-  rows.push_back({.path = at + ".time_constant",
-                  .type = KeyType::kNumber,
-                  .unit = "s",
-                  .min = 0.0,
-                  .max = 1000.0,
-                  .above_min = true,
-                  .fallback = "0.1",
-                  .text = "The lag of `velocity_lag`."});
-  rows.push_back({.path = at + ".rate",
-                  .type = KeyType::kNumber,
-                  .unit = "Hz",
-                  .min = 1.0,
-                  .max = 1e5,
-                  .fallback_text = "the least multiple of `control.rate` from 200 up",
-                  .text = "Plant steps a second; at least the control rate."});
+// How the poses of a HAL's robots are measured.
+void add_sensing_rows(Rows& rows, const std::string& at) {
   rows.push_back({.path = at + ".pose_noise",
                   .type = KeyType::kNumber,
                   .unit = "m",
@@ -172,6 +140,43 @@ void add_hal_rows(Rows& rows) {
                   .fallback = "0.5",
                   .text = "How long a frozen pose stays."});
   chance("nan", "", "Probability that one robot's pose of one tick is not a number.");
+}
+
+void add_hal_rows(Rows& rows) {
+  const std::string at = "hal.*";
+  rows.push_back({.path = "hal",
+                  .type = KeyType::kNamedMap,
+                  .required = true,
+                  .text = "Where robots are, real or simulated, by name."});
+  rows.push_back({.path = at, .type = KeyType::kMap, .text = "One HAL."});
+  rows.push_back({.path = at + ".kind",
+                  .type = KeyType::kChoice,
+                  .required = true,
+                  .choices = {"sim"},
+                  .text = "What it is: `sim` is the simulated HAL."});
+  rows.push_back(
+      {.path = at + ".plant",
+       .type = KeyType::kChoice,
+       .fallback = "ideal",
+       .choices = {"ideal", "velocity_lag", "double_integrator"},
+       .text =
+           "How a simulated robot answers: at once, with a first-order lag, or limited in acceleration."});
+  rows.push_back({.path = at + ".time_constant",
+                  .type = KeyType::kNumber,
+                  .unit = "s",
+                  .min = 0.0,
+                  .max = 1000.0,
+                  .above_min = true,
+                  .fallback = "0.1",
+                  .text = "The lag of `velocity_lag`."});
+  rows.push_back({.path = at + ".rate",
+                  .type = KeyType::kNumber,
+                  .unit = "Hz",
+                  .min = 1.0,
+                  .max = 1e5,
+                  .fallback_text = "the least multiple of `control.rate` from 200 up",
+                  .text = "Plant steps a second; at least the control rate."});
+  add_sensing_rows(rows, at);
   rows.push_back({.path = at + ".endurance",
                   .type = KeyType::kNumber,
                   .unit = "s",
