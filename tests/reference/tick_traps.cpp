@@ -54,11 +54,13 @@ TickOffences tick_offences() noexcept {
 
 // The C library's own, under the names that it keeps for replacements like these.
 extern "C" {
+// NOLINTBEGIN(readability-identifier-naming): the C library's names
 void* __libc_malloc(std::size_t size);
 void* __libc_calloc(std::size_t count, std::size_t size);
 void* __libc_realloc(void* memory, std::size_t size);
 void* __libc_memalign(std::size_t alignment, std::size_t size);
 void __libc_free(void* memory);
+// NOLINTEND(readability-identifier-naming)
 
 void* malloc(std::size_t size) {
   mayfly::test::note(mayfly::test::g_allocations);
@@ -129,6 +131,7 @@ mayfly_free_system_call_end:
 .size mayfly_free_system_call, .-mayfly_free_system_call
 )");
 extern "C" long mayfly_free_system_call(long number, long a, long b, long c, long d, long e, long f);
+// NOLINTNEXTLINE(readability-identifier-naming): a label in the text above
 extern "C" const char mayfly_free_system_call_end[];
 
 namespace mayfly::test {

@@ -46,11 +46,11 @@ Scenario hall(const std::string& rest, const std::string& more, double duration)
 class Trapper final : public Observer {
  public:
   void on_tick(const TickView&) noexcept override {
-    trapped_ = trapped_ || trap_system_calls();
-    ++ticks_;
+    trapped = trapped || trap_system_calls();
+    ++ticks;
   }
-  bool trapped_ = false;
-  int ticks_ = 0;
+  bool trapped = false;
+  int ticks = 0;
 };
 
 sim_hal::SimHalConfig robots_of(const Scenario& scenario, const Prepared& ready, Clock& clock) {
@@ -98,9 +98,9 @@ void expect_clean(const Scenario& scenario, Clock& clock) {
   EXPECT_EQ(after.allocations - before.allocations, 0U);
   EXPECT_EQ(after.locks - before.locks, 0U);
   EXPECT_EQ(after.system_calls - before.system_calls, 0U) << "the last was number " << after.last_system_call;
-  EXPECT_TRUE(trapper.trapped_ || !kTrapsSystemCalls);
-  EXPECT_GT(trapper.ticks_, 5);
-  EXPECT_EQ(flown->ticks, static_cast<std::uint64_t>(trapper.ticks_));
+  EXPECT_TRUE(trapper.trapped || !kTrapsSystemCalls);
+  EXPECT_GT(trapper.ticks, 5);
+  EXPECT_EQ(flown->ticks, static_cast<std::uint64_t>(trapper.ticks));
 }
 
 // Allocates in one tick: an observer with a bug.
@@ -108,10 +108,10 @@ class Careless final : public Observer {
  public:
   void on_tick(const TickView& tick) noexcept override {
     if (tick.tick == 40) {
-      kept_ = std::make_unique<int>(1);
+      kept = std::make_unique<int>(1);
     }
   }
-  std::unique_ptr<int> kept_;
+  std::unique_ptr<int> kept;
 };
 
 std::uint64_t breaches_of(const Summary& summary, const std::string& invariant) {
