@@ -10,7 +10,6 @@ namespace {
 
 using bench::run_trial;
 using bench::TrialPlan;
-using bench::TrialResult;
 using bench::Wishes;
 
 class GovernorAttack : public testing::TestWithParam<int> {};

@@ -40,18 +40,21 @@ inline bool in_tetrahedron(glm::dvec3 p, glm::dvec3 a, glm::dvec3 b, glm::dvec3 
   return share.x >= 0.0 && share.y >= 0.0 && share.z >= 0.0 && share.x + share.y + share.z <= 1.0;
 }
 
+// Whether p lies in one of the tetrahedra of the triangle and a later corner.
+inline bool in_any_tetrahedron(glm::dvec3 p, glm::dvec3 a, glm::dvec3 b, glm::dvec3 c,
+                               std::span<const glm::dvec3> later) {
+  return std::any_of(later.begin(), later.end(),
+                     [&](const glm::dvec3& d) { return in_tetrahedron(p, a, b, c, d); });
+}
+
 // m; 0 inside.
 inline double distance_to_hull(glm::dvec3 p, std::span<const glm::dvec3> x) {
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < x.size(); ++i) {
     for (std::size_t j = i; j < x.size(); ++j) {
       for (std::size_t k = j; k < x.size(); ++k) {
-        least = std::min(least, distance_to_triangle(p, x[i], x[j], x[k]));
-        for (std::size_t l = k + 1; l < x.size(); ++l) {
-          if (in_tetrahedron(p, x[i], x[j], x[k], x[l])) {
-            return 0.0;
-          }
-        }
+        const bool inside = in_any_tetrahedron(p, x[i], x[j], x[k], x.subspan(k + 1));
+        least = inside ? 0.0 : std::min(least, distance_to_triangle(p, x[i], x[j], x[k]));
       }
     }
   }

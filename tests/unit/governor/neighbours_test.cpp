@@ -24,28 +24,37 @@ std::vector<std::uint32_t> brute_force(std::size_t i, const std::vector<Ball>& b
   return near;
 }
 
+// Some lie outside the box of this half side, some need more than is usual, some nothing.
+std::vector<Ball> some_balls(std::size_t count, float side, std::mt19937_64& random) {
+  std::normal_distribution<double> place(0.0, 0.7 * static_cast<double>(side));
+  std::vector<Ball> balls(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    const double radius = i % 17 == 3 ? 5.0 : (i % 11 == 5 ? -1.0 : static_cast<double>(i % 10) / 9.0);
+    balls[i] = {{place(random), place(random), place(random)}, radius};
+  }
+  return balls;
+}
+
+void expect_all_pairs(NeighbourCells& cells, const std::vector<Ball>& balls) {
+  for (std::size_t i = 0; i < balls.size(); ++i) {
+    if (balls[i].radius >= 0.0) {
+      const auto found = cells.near(i, balls);
+      std::vector<std::uint32_t> near(found.begin(), found.end());
+      std::sort(near.begin(), near.end());
+      ASSERT_EQ(near, brute_force(i, balls));
+    }
+  }
+}
+
 TEST(NeighbourCells, FindWhatAllPairsFind) {
   std::mt19937_64 random(1);
   for (const std::size_t count : {0U, 1U, 2U, 300U}) {
     for (const float side : {0.1F, 8.0F, 1000.0F}) {
       NeighbourCells cells(count, {glm::vec3(-side), glm::vec3(side)}, 1.0);
       for (int round = 0; round < 3; ++round) {
-        // Some lie outside the box, some need more than is usual, some nothing.
-        std::normal_distribution<double> place(0.0, 0.7 * static_cast<double>(side));
-        std::vector<Ball> balls(count);
-        for (std::size_t i = 0; i < count; ++i) {
-          const double radius = i % 17 == 3 ? 5.0 : (i % 11 == 5 ? -1.0 : static_cast<double>(i % 10) / 9.0);
-          balls[i] = {{place(random), place(random), place(random)}, radius};
-        }
+        const std::vector<Ball> balls = some_balls(count, side, random);
         cells.sort(balls);
-        for (std::size_t i = 0; i < count; ++i) {
-          if (balls[i].radius >= 0.0) {
-            const auto found = cells.near(i, balls);
-            std::vector<std::uint32_t> near(found.begin(), found.end());
-            std::sort(near.begin(), near.end());
-            ASSERT_EQ(near, brute_force(i, balls));
-          }
-        }
+        expect_all_pairs(cells, balls);
       }
     }
   }

@@ -128,29 +128,28 @@ void expect_word(const Desk& desk, Word word, RobotState state) {
   }
 }
 
+void try_word(RobotState state, Severity severity, bool present, bool silent) {
+  SCOPED_TRACE(std::string(name_of(state)) + " at severity " + std::to_string(static_cast<int>(severity)) +
+               (present ? "" : ", absent") + (silent ? ", silent" : ""));
+  Desk desk(state);
+  desk.severity[0] = severity;
+  desk.present = {static_cast<std::uint8_t>(present ? 1 : 0)};
+  if (silent) {
+    desk.symptoms[0].add(Symptom::kSilent);
+  }
+  desk.give();
+  expect_word(desk, strongest(state, severity, present, silent), state);
+}
+
 TEST(Orders, TheStrongestWordCountsInEveryStateAtEverySeverity) {
-  std::size_t tried = 0;
-  for (std::size_t s = 0; s < kRobotStates; ++s) {
+  for (std::size_t state = 0; state < kRobotStates; ++state) {
     for (std::size_t severity = 0; severity < kSeverities; ++severity) {
-      for (const bool present : {true, false}) {
-        for (const bool silent : {true, false}) {
-          const auto state = static_cast<RobotState>(s);
-          SCOPED_TRACE(std::string(name_of(state)) + " at severity " + std::to_string(severity) +
-                       (present ? "" : ", absent") + (silent ? ", silent" : ""));
-          Desk desk(state);
-          desk.severity[0] = static_cast<Severity>(severity);
-          desk.present = {static_cast<std::uint8_t>(present ? 1 : 0)};
-          if (silent) {
-            desk.symptoms[0].add(Symptom::kSilent);
-          }
-          desk.give();
-          expect_word(desk, strongest(state, desk.severity[0], present, silent), state);
-          ++tried;
-        }
+      for (const int said : {0, 1, 2, 3}) {
+        try_word(static_cast<RobotState>(state), static_cast<Severity>(severity), said % 2 == 0,
+                 said / 2 == 1);
       }
     }
   }
-  EXPECT_EQ(tried, kRobotStates * kSeverities * 4);
 }
 
 TEST(Orders, AnEmptyColumnMeansThatAllAreThere) {
